@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/critical_diameter.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "models/kat_theory.h"
+
+namespace powderlink::analysis {
+
+std::string CriticalDiameter::text_um() const {
+  switch (state) {
+    case State::nothing_detaches: return fmt::format("> {:.0f} (nothing detaches)", diameter_m * 1e6);
+    case State::everything_detaches: return fmt::format("< {:.1f} (everything detaches)", diameter_m * 1e6);
+    case State::found: break;
+  }
+  return fmt::format("{:.2f}", diameter_m * 1e6);
+}
+
+TheoryDiameter theory_diameter(const ReducedModel& model, double impact_velocity) {
+  const KatSetup& setup = model.setup();
+  const double density = setup.particle.density_kg_m3;
+  const TheoryDiameter instant{
+      models::critical_diameter_instant_m(model.smooth_law(), density,
+                                          setup.stop.speed_change_m_s(impact_velocity)),
+      "instant stop"};
+  if (setup.stop.shape() == models::StopPulse::Shape::instant) return instant;
+  const TheoryDiameter slow{
+      models::critical_diameter_slow_m(setup.work_of_adhesion_J_m2, density,
+                                       setup.stop.peak_deceleration_m_s2(impact_velocity)),
+      "slow stop"};
+  // No stop is more violent than the instant one, so the slow limit counts only above it.
+  return slow.diameter_m > instant.diameter_m ? slow : instant;
+}
+
+CriticalDiameter critical_diameter(const ReducedModel& model, double impact_velocity,
+                                   double relative_tolerance) {
+  CriticalDiameter result;
+  double attached = 0.0;
+  double detached = 0.0;
+  const auto leaves = [&](double diameter) {
+    ++result.drops;
+    const bool left = model.detaches(diameter, impact_velocity);
+    (left ? detached : attached) = diameter;
+    return left;
+  };
+
+  // From the closed form outwards in growing strides, until one is on either side.
+  constexpr double first_stride = 1.02;
+  double stride = first_stride;
+  double diameter = std::clamp(theory_diameter(model, impact_velocity).diameter_m,
+                               kSmallestDiameter_m, kLargestDiameter_m);
+  while (true) {
+    const bool left = leaves(diameter);
+    if (attached > 0.0 && detached > 0.0) break;
+    if (diameter == (left ? kSmallestDiameter_m : kLargestDiameter_m)) {
+      result.state = left ? CriticalDiameter::State::everything_detaches
+                          : CriticalDiameter::State::nothing_detaches;
+      result.diameter_m = diameter;
+      result.largest_attached_m = attached;
+      result.smallest_detached_m = detached;
+      return result;
+    }
+    diameter = std::clamp(left ? diameter / stride : diameter * stride, kSmallestDiameter_m,
+                          kLargestDiameter_m);
+    stride *= stride;
+  }
+  while (detached - attached > relative_tolerance * attached) leaves(std::sqrt(attached * detached));
+  result.largest_attached_m = attached;
+  result.smallest_detached_m = detached;
+  result.diameter_m = std::sqrt(attached * detached);
+  return result;
+}
+
+}  // namespace powderlink::analysis

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/reduced_model.h"
+
+#include <algorithm>
+#include <boost/math/tools/roots.hpp>
+#include <cmath>
+#include <utility>
+
+#include "models/kat_theory.h"
+#include "models/normal_damping.h"
+
+namespace powderlink::analysis {
+
+using models::JkrLaw;
+using models::StopPulse;
+
+namespace {
+
+// A sudden stop drives the particle through the whole neck and needs many steps per period; a slow
+// one only has to find the moment when the pull-off force is passed. Doubling them changes d_c by
+// less than 2e-4; the edge of a rate-dependent contact has a step of first order only and is within
+// 5e-3 (tests: reduced_model_test.cpp).
+constexpr double kStepsSudden = 200.0;
+constexpr double kStepsSlow = 40.0;
+constexpr double kPeriodsOfSuddenStop = 20.0;
+constexpr double kStepsRateDependent = 800.0;
+constexpr double kFewestSteps = 7.0;  // Verlet is unstable below pi
+
+// An attached particle that is no longer pushed must have turned this often to end the run.
+constexpr int kTurnsAfterStop = 3;
+constexpr double kPeriodsAfterStop = 50.0;
+
+}  // namespace
+
+/// What a drop needs to know of its particle.
+struct ReducedModel::Sphere {
+  double radius_m;
+  double mass_kg;
+  JkrLaw law;
+  double contact_energy_J(double w, double root, bool rate_dependent) const {
+    if (root == 0.0) return 0.0;
+    if (!rate_dependent) return law.energy_J(root, radius_m);
+    // Edge and overlap are independent: flat-punch and Hertz energy, less that of the interface.
+    const double a = root * root;
+    const double h = a * a / radius_m;
+    return law.effective_modulus_Pa() * a * (w * w + 2.0 / 3.0 * w * h + 0.2 * h * h) -
+           law.work_of_adhesion_J_m2() * JkrLaw::kPi * a * a;
+  }
+};
+
+ReducedModel::ReducedModel(KatSetup setup) : setup_(std::move(setup)) {
+  setup_.particle.validate();
+  setup_.substrate.validate();
+  if (!(std::isfinite(setup_.work_of_adhesion_J_m2) && setup_.work_of_adhesion_J_m2 >= 0.0)) {
+    throw InvalidInput("adhesive energy", std::to_string(setup_.work_of_adhesion_J_m2) + " J/m^2",
+                       ">= 0 J/m^2", "give the work of adhesion of the interface");
+  }
+  if (!(std::isfinite(setup_.gravity_m_s2) && setup_.gravity_m_s2 >= 0.0)) {
+    throw InvalidInput("gravity", std::to_string(setup_.gravity_m_s2) + " m/s^2", ">= 0 m/s^2",
+                       "it pulls the particles off the plate; use 9.81");
+  }
+  if (setup_.steps_per_period != 0.0 && !(setup_.steps_per_period >= kFewestSteps)) {
+    throw InvalidInput("steps per period", std::to_string(setup_.steps_per_period),
+                       "0 (automatic) or at least 7", "leave it at 0");
+  }
+  damping_ratio_ = models::damping_ratio(setup_.restitution);
+  smooth_ = JkrLaw(models::effective_youngs_modulus_Pa(setup_.particle, setup_.substrate),
+                   setup_.work_of_adhesion_J_m2);
+  std::vector<const models::Effect*> effects;
+  for (const auto& e : setup_.effects) {
+    effects.push_back(e.get());
+    if (const auto stop = e->stop()) setup_.stop = *stop;
+  }
+  contact_ = models::AdhesiveContact(smooth_, effects);
+  gap_ = GapForces(effects);
+}
+
+double ReducedModel::steps_per_period(double period_s) const {
+  if (setup_.steps_per_period > 0.0) return setup_.steps_per_period;
+  const double sudden = contact_.rate_dependent() ? kStepsRateDependent : kStepsSudden;
+  if (setup_.stop.shape() == StopPulse::Shape::instant) return sudden;
+  const double slowness = setup_.stop.duration_s() / (kPeriodsOfSuddenStop * period_s);
+  return std::clamp(sudden / slowness, kStepsSlow, sudden);
+}
+
+/// sqrt(a) where contact, gravity and gap forces balance; 0 when nothing holds the particle.
+double ReducedModel::equilibrium_root(const Sphere& s) const {
+  const double weight = s.mass_kg * setup_.gravity_m_s2;
+  const auto away = [&](double root) {
+    return s.law.force_N(root, s.radius_m) + weight +
+           gap_.force_N(s.law.overlap_m(root, s.radius_m) * -1.0, s.radius_m);
+  };
+  // The pull-off under load, where F is least, lies at a = 0.63 a0.
+  const double a0 = s.law.equilibrium_contact_radius_m(s.radius_m);
+  double low = std::sqrt(std::cbrt(0.25) * a0);
+  if (away(low) >= 0.0) return 0.0;
+  double high = a0 > 0.0 ? std::sqrt(a0) : std::sqrt(1e-6 * s.radius_m);
+  while (away(high) < 0.0) {
+    low = high;
+    high *= 1.5;
+  }
+  constexpr int bits = 45;
+  const auto bracket =
+      boost::math::tools::bisect(away, low, high, boost::math::tools::eps_tolerance<double>(bits));
+  return 0.5 * (bracket.first + bracket.second);
+}
+
+template <bool kGapForces>
+DropOutcome ReducedModel::run(const Sphere& s, double impact_velocity) const {
+  const StopPulse& stop = setup_.stop;
+  const double m = s.mass_kg;
+  const double inv_mass = 1.0 / m;
+  const double radius = s.radius_m;
+  const JkrLaw law = s.law;
+  const bool rate_dependent = contact_.rate_dependent();
+  DropOutcome out;
+
+  double root = equilibrium_root(s);
+  if (root == 0.0) {  // its weight alone takes it off
+    out.detached = true;
+    out.speed_m_s = stop.speed_change_m_s(impact_velocity);
+    return out;
+  }
+  double w = -law.overlap_m(root, radius);
+  double u = stop.kick_m_s(impact_velocity);
+
+  // dF/d(delta) at the start sets the contact's own period.
+  const double s3 = root * root * root;
+  const double c = (s3 * root / radius + w) / root;
+  const double stiffness = law.effective_modulus_Pa() * root * root * (8.0 * s3 / radius - 6.0 * c) /
+                           (4.0 * s3 / radius - c);
+  const double period = 2.0 * JkrLaw::kPi * std::sqrt(m / stiffness);
+  const double dt = period / steps_per_period(period);
+  // gamma_n grows with sqrt(a), the memory of the contact.
+  const double damping = models::normal_damping_kg_s(damping_ratio_, law.effective_modulus_Pa(), 1.0, m);
+
+  const auto stored_energy = [&](double at, double with_root) {
+    double energy = s.contact_energy_J(at, with_root, rate_dependent);
+    if constexpr (kGapForces) energy += gap_.energy_J(at, radius);
+    return energy;
+  };
+  const auto spring = [&](double at, double with_root) {
+    double force = with_root > 0.0 ? contact_.force_N(law, -at, radius, with_root) : 0.0;
+    if constexpr (kGapForces) force += gap_.force_N(at, radius);
+    return force;
+  };
+  const double w_tear = -law.tear_off_overlap_m(radius);
+  const double root_tear =
+      law.next_root(-w_tear, radius, std::sqrt(law.equilibrium_contact_radius_m(radius)));
+  double barrier = law.energy_J(root_tear, radius);
+  if constexpr (kGapForces) barrier += gap_.energy_J(w_tear, radius);
+
+  // A measured pulse may do anything until its end; the analytic ones only fall in their second half.
+  const bool instant = stop.shape() == StopPulse::Shape::instant;
+  const bool measured = stop.shape() == StopPulse::Shape::measured;
+  const double stop_end = instant ? 0.0 : stop.duration_s();
+  const double only_falls_from = measured ? stop_end : 0.5 * stop_end;
+  const double settled_from = measured || !setup_.stop_when_certain ? stop_end : 0.0;
+  const double last_time = stop_end + kPeriodsAfterStop * period;
+
+  const double energy_at_start = 0.5 * m * u * u + stored_energy(w, root);
+  double work = 0.0;
+  double dissipated = 0.0;
+  int turns = 0;
+  double t = 0.0;
+  double push = stop.deceleration_m_s2(0.0, impact_velocity) + setup_.gravity_m_s2;
+  double acceleration = (spring(w, root) - damping * root * u) * inv_mass + push;
+  while (t < last_time) {
+    const double u_half = u + 0.5 * dt * acceleration;
+    const double dw = dt * u_half;
+    const double old_root = root;
+    w += dw;
+    t = static_cast<double>(++out.steps) * dt;
+    root = contact_.advance(law, -w, radius, root, dt);
+    const double new_push = stop.deceleration_m_s2(t, impact_velocity) + setup_.gravity_m_s2;
+    const double viscous = damping * root * u_half;
+    acceleration = (spring(w, root) - viscous) * inv_mass + new_push;
+    const double old_u = u;
+    u = u_half + 0.5 * dt * acceleration;
+
+    work += 0.5 * m * (push + new_push) * dw;
+    push = new_push;
+    dissipated += viscous * dw;
+    if (old_root > 0.0 && root == 0.0) {  // what the neck had stored, with this step's share
+      dissipated += s.contact_energy_J(w - dw, old_root, rate_dependent) -
+                    0.5 * dw * contact_.force_N(law, dw - w, radius, old_root);
+    }
+    if (t > stop_end && (old_u > 0.0) != (u > 0.0)) ++turns;
+
+    if (root == 0.0) {
+      const double weight = m * setup_.gravity_m_s2;
+      if (t >= settled_from && u > 0.0 &&
+          (!kGapForces || gap_.let_go(w, radius, m, u, weight))) {
+        out.detached = true;
+        break;
+      }
+      if (kGapForces && t >= stop_end && !gap_.let_go(w, radius, m, std::fabs(u), weight)) break;
+    } else if (setup_.stop_when_certain && t >= only_falls_from &&
+               0.5 * m * u * u + stored_energy(w, root) - m * push * (w - w_tear) < barrier) {
+      break;
+    } else if (turns >= kTurnsAfterStop) {
+      break;
+    }
+  }
+
+  const double impact_speed = stop.speed_change_m_s(impact_velocity);
+  out.energy_residual =
+      (0.5 * m * u * u + stored_energy(w, root) - energy_at_start + dissipated - work) /
+      (0.5 * m * impact_speed * impact_speed);
+  out.speed_m_s = u;
+  out.time_s = t;
+  return out;
+}
+
+DropOutcome ReducedModel::drop(double diameter_m, double impact_velocity) const {
+  if (!(diameter_m > 0.0 && std::isfinite(diameter_m))) {
+    throw InvalidInput("particle diameter", std::to_string(diameter_m) + " m", "> 0 m",
+                       "give a diameter, such as 50e-6");
+  }
+  if (!(impact_velocity > 0.0 && std::isfinite(impact_velocity))) {
+    throw InvalidInput("impact velocity", std::to_string(impact_velocity) + " m/s", "> 0 m/s",
+                       "give the speed at which the plate meets the anvil");
+  }
+  const double radius = 0.5 * diameter_m;
+  const Sphere s{radius, models::sphere_mass_kg(radius, setup_.particle.density_kg_m3),
+                 contact_.law(radius)};
+  return gap_.none() ? run<false>(s, impact_velocity) : run<true>(s, impact_velocity);
+}
+
+}  // namespace powderlink::analysis

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file files.h
+/// Results appear whole or not at all: everything is written beside its place and then renamed.
+/// Tests: tests/render/series_test.cpp, tests/render/bad_input_test.cpp
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+class vtkPolyData;
+
+namespace powderlink::render {
+
+/// Writes `content` to `path`; an earlier file there stays untouched until the new one is complete.
+void write_file(const std::filesystem::path& path, const std::string& content);
+
+/// Writes a binary .vtp that ParaView opens.
+void write_vtp(const std::filesystem::path& path, vtkPolyData* data);
+
+/// The whole of a text file.
+std::string read_file(const std::filesystem::path& path);
+
+/// A folder that takes its final name only by publish(); otherwise it vanishes with its contents.
+class StagedFolder {
+ public:
+  explicit StagedFolder(std::filesystem::path final_path);
+  ~StagedFolder();
+  StagedFolder(const StagedFolder&) = delete;
+  StagedFolder& operator=(const StagedFolder&) = delete;
+
+  const std::filesystem::path& path() const { return staging_; }
+  /// Replaces what had the final name before.
+  void publish();
+
+ private:
+  std::filesystem::path final_, staging_;
+};
+
+}  // namespace powderlink::render

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "host/fix_adhesion_effect.h"
+
+#include <cstring>
+
+#include "error.h"
+#include "force.h"
+#include "modify.h"
+#include "models/effect_registry.h"
+
+namespace powderlink::host {
+
+using namespace LAMMPS_NS;
+
+FixAdhesionEffect::FixAdhesionEffect(LAMMPS* lmp, int narg, char** arg) : Fix(lmp, narg, arg) {
+  if (narg < 4) {
+    error->fix_error(FLERR, this,
+                     "no effect named; given: no argument; allowed: a name of 'powderlink effects'; "
+                     "to do: fix ID all adhesion/effect NAME [parameters]");
+  }
+  std::vector<double> parameters;
+  for (int i = 4; i < narg; ++i) parameters.push_back(force->numeric(FLERR, arg[i]));
+  try {
+    effect_ = models::make_effect(arg[3], parameters);
+  } catch (const InvalidInput& problem) {
+    error->fix_error(FLERR, this, problem.what());
+  }
+}
+
+std::vector<const models::Effect*> FixAdhesionEffect::active(LAMMPS* lmp) {
+  std::vector<const models::Effect*> effects;
+  for (int i = 0; i < lmp->modify->nfix; ++i) {
+    if (std::strcmp(lmp->modify->fix[i]->style, kStyle) == 0) {
+      effects.push_back(&static_cast<FixAdhesionEffect*>(lmp->modify->fix[i])->effect());
+    }
+  }
+  return effects;
+}
+
+}  // namespace powderlink::host

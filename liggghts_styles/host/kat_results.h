@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file kat_results.h
+/// The JSON file that `fix kat/drop ... results FILE` writes when the test is over.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <mpi.h>
+
+namespace powderlink::host {
+
+/// One grain; plain doubles, because it travels through MPI as such.
+struct KatGrainResult {
+  double id;
+  double diameter_m;
+  double attached;  ///< 0 left, 1 in contact, 2 bound across the gap
+  double speed_m_s;
+  double energy_residual;
+  double momentum_residual;
+};
+
+struct KatResults {
+  double impact_velocity_m_s = 0.0;
+  double critical_diameter_m = 0.0;  ///< 0: not bracketed
+  double largest_attached_m = 0.0;   ///< 0: none
+  double smallest_detached_m = 0.0;  ///< 0: none
+  long out_of_order = 0;             ///< detached grains smaller than the largest attached one
+  long steps = 0;
+  long impact_step = 0;
+  double time_step_s = 0.0;
+  std::vector<KatGrainResult> grains;
+};
+
+/// All grains on rank 0, ordered by id; empty on the others.
+std::vector<KatGrainResult> gather(const std::vector<KatGrainResult>& mine, MPI_Comm world);
+
+/// Writes beside the file, then renames. Throws InvalidInput when the file cannot be written.
+void write(const KatResults& results, const std::string& file);
+
+}  // namespace powderlink::host

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "host/normal_model_jkr.h"
+
+#include <algorithm>
+#include <sstream>
+
+#include "host/fix_adhesion_effect.h"
+#include "primitive_wall.h"
+#include "tri_mesh.h"
+
+namespace powderlink::host {
+
+using namespace LAMMPS_NS;
+
+namespace {
+
+constexpr double kStretchMargin = 1.05;          // of the contact distance over the tear-off gap
+constexpr double kRateStretch = 25.0;            // longest neck of a rate-dependent edge over JKR's
+constexpr double kLargestPlausibleEnergy = 10.0; // J/m^2; dry solids have 0.01 to 1
+constexpr double kMeshPrecisionOfRadius = 1e-6;  // edges must be sharp on the scale of the grains
+
+std::string text(double value) {
+  std::ostringstream s;
+  s << value;
+  return s.str();
+}
+
+}  // namespace
+
+JkrNormalModel::JkrNormalModel(LAMMPS* lmp, IContactHistorySetup* history, ContactModelBase* model)
+    : Pointers(lmp), is_wall_(model->is_wall()), parent_(history) {
+  history_offset_ = history->add_history_value(kRootHistory, "0");
+  model->add_history_offset(kRootHistory, history_offset_);
+}
+
+void JkrNormalModel::registerSettings(LIGGGHTS::Settings& settings) {
+  settings.registerOnOff("tangential_damping", tangential_damping_, true);
+  settings.registerOnOff("limitForce", limit_force_, false);
+}
+
+void JkrNormalModel::postSettings() {
+  if (limit_force_) {
+    error->all(FLERR,
+               "model jkr: limitForce; given: limitForce on; allowed: off, because it would cut the "
+               "attraction that the model is made for; to do: remove 'limitForce on'");
+  }
+}
+
+double JkrNormalModel::property(PropertyRegistry& registry, const char* name, int i, int j) const {
+  const int n = registry.max_type();
+  return registry.getGlobalProperty(name, "property/global", "peratomtypepair", n, n, "model jkr")
+      ->compute_array(i - 1, j - 1);
+}
+
+void JkrNormalModel::check_host() const {
+  if (force->cg_active()) {
+    error->all(FLERR,
+               "model jkr: coarse graining; given: 'coarsegraining' in the script; allowed: none, the "
+               "adhesion of a parcel is not that of its grains; to do: remove 'coarsegraining'");
+  }
+  if (!atom->sphere_flag || atom->shapetype_flag) {
+    error->all(FLERR,
+               "model jkr: particle shape; given: non-spherical particles; allowed: spheres; to do: "
+               "use atom_style granular or sphere");
+  }
+}
+
+void JkrNormalModel::connectToProperties(PropertyRegistry& registry) {
+  check_host();
+  registry.registerProperty("Yeff", &MODEL_PARAMS::createYeff);
+  registry.registerProperty("Geff", &MODEL_PARAMS::createGeff);
+  registry.registerProperty("betaeff", &MODEL_PARAMS::createBetaEff);
+  double** modulus = nullptr;
+  double** shear_modulus = nullptr;
+  double** beta = nullptr;
+  registry.connect("Yeff", modulus, "model jkr");
+  registry.connect("Geff", shear_modulus, "model jkr");
+  registry.connect("betaeff", beta, "model jkr");
+
+  effects_.clear();
+  for (const models::Effect* e : FixAdhesionEffect::active(lmp)) effects_.push_back(e);
+
+  const int n = registry.max_type();
+  stride_ = n + 1;
+  pairs_.assign(stride_ * stride_, JkrPair());
+  rough_contacts_.assign(pairs_.size(), models::AdhesiveContact());
+  for (int i = 1; i <= n; ++i) {
+    for (int j = 1; j <= n; ++j) {
+      const double energy = property(registry, "workOfAdhesion", i, j);
+      const std::string where =
+          "model jkr: workOfAdhesion of types " + std::to_string(i) + " and " + std::to_string(j);
+      if (!(energy >= 0.0) || energy != property(registry, "workOfAdhesion", j, i)) {
+        const std::string message = where + "; given: " + text(energy) +
+                                    " J/m^2; allowed: >= 0 and the same for (i,j) and (j,i); to do: "
+                                    "correct the matrix of fix property/global";
+        error->all(FLERR, message.c_str());
+      }
+      if (energy > kLargestPlausibleEnergy && i <= j && !is_wall_ && comm->me == 0) {
+        const std::string message =
+            where + " is " + text(energy) +
+            " J/m^2, above 10 J/m^2. It is the work of adhesion of the interface (pull-off 1.5 pi "
+            "Gamma R*), not a surface energy in other units; dry solids have 0.01 to 1 J/m^2";
+        error->warning(FLERR, message.c_str());
+      }
+      JkrPair& pair = pairs_[i * stride_ + j];
+      pair.modulus = modulus[i][j];
+      pair.law = models::JkrLaw(pair.modulus, energy);
+      pair.normal_damping = -models::kTwoSqrtFiveSixths * beta[i][j] * std::sqrt(2.0 * pair.modulus);
+      pair.shear_stiffness = 8.0 * shear_modulus[i][j];
+      pair.tangential_damping =
+          tangential_damping_
+              ? -models::kTwoSqrtFiveSixths * beta[i][j] * std::sqrt(pair.shear_stiffness)
+              : 0.0;
+      rough_contacts_[i * stride_ + j] = models::AdhesiveContact(pair.law, effects_);
+    }
+  }
+  check_wall(largest_stretch());
+}
+
+/// Longest neck [m]; also asks LIGGGHTS to look for contacts out to there.
+double JkrNormalModel::largest_stretch() const {
+  double largest_radius = 0.0;
+  double smallest_radius = 0.0;
+  modify->max_min_rad(largest_radius, smallest_radius);
+  if (largest_radius <= 0.0) return 0.0;
+  double rate = 1.0;
+  for (const models::Effect* e : effects_) {
+    if (e->rate_dependent()) rate = kRateStretch;
+  }
+  double ratio = 0.0;
+  double gap = 0.0;
+  for (const JkrPair& pair : pairs_) {
+    // The gap over the radius is largest for the smallest sphere, the gap itself for the largest.
+    ratio = std::max(ratio, -pair.law.tear_off_overlap_m(smallest_radius) / smallest_radius);
+    gap = std::max(gap, -pair.law.tear_off_overlap_m(largest_radius));
+  }
+  neighbor->register_contact_dist_factor(1.0 + kStretchMargin * rate * ratio);
+  return rate * gap;
+}
+
+void JkrNormalModel::check_wall(double largest_gap) const {
+  auto* wall = dynamic_cast<FixWallGran*>(parent_);
+  if (wall == nullptr) return;
+  if (!wall->is_mesh_wall()) {
+    if (neighbor->skin < kStretchMargin * largest_gap) {
+      const std::string message = "model jkr on a primitive wall: neighbor skin; given: " +
+                                  text(neighbor->skin) + " m; allowed: above the tear-off gap of the "
+                                  "longest neck, " + text(largest_gap) +
+                                  " m, or contacts would be lost; to do: neighbor " +
+                                  text(2.0 * largest_gap) + " bin";
+      error->fix_error(FLERR, wall, message.c_str());
+    }
+    return;
+  }
+  double largest_radius = 0.0;
+  double smallest_radius = 0.0;
+  modify->max_min_rad(largest_radius, smallest_radius);
+  for (int i = 0; i < wall->n_meshes(); ++i) {
+    FixMeshSurface* mesh = wall->mesh_list()[i];
+    if (largest_radius > 0.0 && mesh->triMesh()->precision() > kMeshPrecisionOfRadius * smallest_radius) {
+      const std::string message =
+          std::string("model jkr on mesh '") + mesh->id + "': precision; given: " +
+          text(mesh->triMesh()->precision()) + " m (LIGGGHTS's default is 1e-8); allowed: at most " +
+          text(kMeshPrecisionOfRadius * smallest_radius) +
+          " m, or grains of this size get wrong forces at triangle edges; to do: add 'precision 1e-12' "
+          "to fix mesh/surface";
+      error->fix_error(FLERR, wall, message.c_str());
+    }
+  }
+}
+
+double JkrNormalModel::update_with_effects(SurfacesIntersectData& contact, const JkrPair& pair,
+                                           double radius, double& memory, bool advances) const {
+  const models::AdhesiveContact& rough = rough_contacts_[contact.itype * stride_ + contact.jtype];
+  const models::JkrLaw law = rough.law(radius);
+  const double root = rough.advance(law, contact.deltan, radius, memory, advances ? update->dt : 0.0);
+  if (advances) memory = root;
+  if (root > 0.0) {
+    finish(contact, pair, root, rough.force_N(law, contact.deltan, radius, root),
+           law.pull_off_force_N(radius));
+  }
+  return root;
+}
+
+}  // namespace powderlink::host

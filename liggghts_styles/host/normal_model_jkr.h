@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file normal_model_jkr.h
+/// Normal model `jkr` of `pair_style gran` and `fix wall/gran`: physics of models/jkr_law.h and
+/// models/normal_damping.h, made rough or rate-dependent by `fix adhesion/effect`.
+///
+/// Script:  pair_style gran model jkr [tangential ...] [rolling_friction ...] [tangential_damping on|off]
+/// Needs:   youngsModulus, poissonsRatio, coefficientRestitution as model hertz does, and
+///          fix ID all property/global workOfAdhesion peratomtypepair N G11 G12 ...   [J/m^2]
+///          (work of adhesion of the interface, not the surface energy of one solid).
+/// History: one value per contact, sqrt(contact radius); 0 is "not in contact".
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "host/liggghts_headers.h"
+#include "models/adhesive_contact.h"
+#include "models/friction_load.h"
+#include "models/normal_damping.h"
+
+namespace powderlink::host {
+
+using LIGGGHTS::IContactHistorySetup;
+using LIGGGHTS::ContactModels::ContactModelBase;
+using LIGGGHTS::ContactModels::SurfacesIntersectData;
+
+inline constexpr int kJkrModelId = 20;  ///< 13-63 are free among LIGGGHTS's 6-bit ids
+inline constexpr const char* kRootHistory = "jkr_root_contact_radius";
+
+/// What a pair of atom types needs in the inner loop.
+struct JkrPair {
+  models::JkrLaw law;
+  double normal_damping = 0.0;      ///< -2 sqrt(5/6) beta sqrt(2 E*); times s sqrt(m*) is gamma_n
+  double tangential_damping = 0.0;  ///< the same with 8 G*
+  double shear_stiffness = 0.0;     ///< 8 G*; times s^2 is k_t
+  double modulus = 1.0;
+};
+
+class JkrNormalModel : protected LAMMPS_NS::Pointers {
+ public:
+  JkrNormalModel(LAMMPS_NS::LAMMPS* lmp, IContactHistorySetup* history, ContactModelBase* model);
+
+  void registerSettings(LIGGGHTS::Settings& settings);
+  void postSettings();
+  void connectToProperties(LAMMPS_NS::PropertyRegistry& registry);
+
+  double& root(const SurfacesIntersectData& contact) const {
+    return contact.contact_history[history_offset_];
+  }
+
+  /// Advances the contact and sets force, stiffnesses, damping and the load that limits friction.
+  /// \return sqrt(a), or 0 when there is no contact (any more); the history keeps it.
+  double update(SurfacesIntersectData& contact) const {
+    const JkrPair& pair = pairs_[contact.itype * stride_ + contact.jtype];
+    const double radius =
+        contact.is_wall ? contact.radi : contact.radi * contact.radj / (contact.radi + contact.radj);
+    double& memory = root(contact);
+    const bool advances = contact.computeflag && contact.shearupdate;
+    if (!effects_.empty()) return update_with_effects(contact, pair, radius, memory, advances);
+
+    double root;
+    if (!pair.law.adhesive()) {
+      if (contact.deltan < 0.0) return end_contact(memory, advances);
+      root = std::sqrt(std::sqrt(radius * contact.deltan));
+    } else if (memory > 0.0) {
+      if (pair.law.torn(contact.deltan, radius)) return end_contact(memory, advances);
+      root = pair.law.next_root(contact.deltan, radius, memory);
+    } else {
+      if (contact.deltan < 0.0) return 0.0;
+      root = pair.law.first_root(contact.deltan, radius);
+    }
+    if (advances) memory = root;
+    finish(contact, pair, root, pair.law.force_N(root, radius), pair.law.pull_off_force_N(radius));
+    return root;
+  }
+
+ private:
+  static double end_contact(double& memory, bool advances) {
+    if (advances) memory = 0.0;
+    return 0.0;
+  }
+
+  void finish(SurfacesIntersectData& contact, const JkrPair& pair, double root, double force,
+              double pull_off) const {
+    const double root_mass = std::sqrt(contact.meff);
+    contact.gamman = pair.normal_damping * root * root_mass;
+    contact.gammat = pair.tangential_damping * root * root_mass;
+    contact.kt = pair.shear_stiffness * root * root;
+    contact.kn = 4.0 / 3.0 * pair.modulus * root * root;
+    contact.Fn = force - contact.gamman * contact.vn;
+    friction_load_ = models::friction_load_N(contact.Fn, pull_off);
+  }
+
+  double update_with_effects(SurfacesIntersectData& contact, const JkrPair& pair, double radius,
+                             double& memory, bool advances) const;
+  void check_host() const;
+  void check_wall(double largest_gap) const;
+  double largest_stretch() const;
+  double property(LAMMPS_NS::PropertyRegistry& registry, const char* name, int i, int j) const;
+
+ public:
+  /// Normal load of Thornton's friction limit for the contact that update() just did [N].
+  double friction_load() const { return friction_load_; }
+
+ private:
+  std::vector<JkrPair> pairs_;  ///< by (itype, jtype), LIGGGHTS types count from 1
+  int stride_ = 0;
+  int history_offset_ = -1;
+  bool is_wall_;
+  bool tangential_damping_ = true;
+  bool limit_force_ = false;
+  IContactHistorySetup* parent_;
+  mutable double friction_load_ = 0.0;
+  std::vector<const models::Effect*> effects_;
+  std::vector<models::AdhesiveContact> rough_contacts_;  ///< as pairs_, only with effects
+};
+
+}  // namespace powderlink::host

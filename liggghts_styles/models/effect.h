@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file effect.h
+/// What an effect may change in the Kinetic Adhesion Test, and what is known about its parameters.
+///
+/// The baseline is JKR with a constant Gamma, an instant stop, from equilibrium. An effect is one
+/// physical mechanism that the baseline leaves out. It overrides the hooks that it needs; the DEM
+/// styles and the reduced model call the same hooks, so both speak of the same physics.
+/// To add one: a header in models/effects/ and a line in models/effects.def (CONTRIBUTING.md).
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "models/invalid_input.h"
+#include "models/stop_pulse.h"
+
+namespace powderlink::models {
+
+struct EffectParameter {
+  std::string name;  ///< with the unit as suffix, e.g. "tau_s"
+  double off;        ///< value at which the effect vanishes (infinity allowed)
+  double typical;    ///< start of a fit
+  double lower, upper;                      ///< bounds of a fit
+  double plausible_lower, plausible_upper;  ///< outside: possible to fit, hard to believe
+  std::string source;                       ///< of the plausible range
+};
+
+struct EffectInfo {
+  std::string name;
+  std::string mechanism;  ///< one line
+  std::string signature;  ///< in d_c(v), one line
+  std::vector<EffectParameter> parameters;
+};
+
+class Effect {
+ public:
+  virtual ~Effect() = default;
+
+  /// Gamma_eff / Gamma of an interface with reduced radius R* [-].
+  virtual double adhesion_factor(double /*reduced_radius_m*/) const { return 1.0; }
+
+  /// Fracture energy of an edge that recedes at the given speed, over Gamma [-]; must grow with it.
+  virtual double fracture_energy_factor(double /*crack_speed_m_s*/) const { return 1.0; }
+  virtual bool rate_dependent() const { return false; }
+
+  /// Attraction across the gap h >= 0 between sphere and plate, beside JKR [N]; 0 or negative.
+  virtual double gap_force_N(double /*gap_m*/, double /*radius_m*/) const { return 0.0; }
+  /// Its potential, zero where the attraction ends (or at infinity); 0 or negative [J].
+  virtual double gap_energy_J(double /*gap_m*/, double /*radius_m*/) const { return 0.0; }
+  /// Gap beyond which the attraction is zero [m]; infinity for a long-range force.
+  virtual double range_m(double /*radius_m*/) const { return 0.0; }
+  /// True if a touch must come first and leaving the range ends it (a liquid bridge).
+  virtual bool formed_by_touch() const { return false; }
+
+  /// The stop that replaces the instant one.
+  virtual std::optional<StopPulse> stop() const { return std::nullopt; }
+
+ protected:
+  static void require_range(const EffectInfo& info, std::size_t i, double value) {
+    const EffectParameter& p = info.parameters.at(i);
+    if (!(value >= p.lower && value <= p.upper) && value != p.off) {
+      throw InvalidInput("effect " + info.name + ": " + p.name, std::to_string(value),
+                         "between " + std::to_string(p.lower) + " and " + std::to_string(p.upper),
+                         "see 'powderlink effects'");
+    }
+  }
+};
+
+}  // namespace powderlink::models

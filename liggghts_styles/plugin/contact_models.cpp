@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// Registers `jkr` with every tangential and rolling model that it supports, and answers every other
+/// combination of LIGGGHTS's models by name instead of LIGGGHTS's "Unknown normal model".
+#include "plugin/contact_models.h"
+
+#include <string>
+
+#include "host/contact_model_jkr.h"
+
+namespace powderlink::plugin {
+
+namespace {
+
+using namespace LAMMPS_NS;
+namespace lcm = LIGGGHTS::ContactModels;
+
+struct Named {
+  const char* name;
+  int id;
+};
+// Ids of the models in the LIGGGHTS 3.8 package (tangential_model_*.h and so on).
+constexpr Named kTangential[] = {{"off", 0}, {"no_history", 1}, {"history", 2}, {"tan_luding", 4}};
+constexpr Named kRolling[] = {{"off", 0}, {"cdt", 1}, {"epsd", 2}, {"epsd2", 3}, {"epsd3", 4}, {"luding", 6}};
+constexpr Named kCohesion[] = {{"off", 0}, {"sjkr", 1}, {"sjkr2", 2}, {"washino/capillary/viscous", 7},
+                               {"easo/capillary/viscous", 8}};
+constexpr Named kSurface[] = {{"default", 0}, {"multicontact", 2}, {"superquadric", 5}};
+
+template <class Style>
+LIGGGHTS::PairStyles::IGranularPairStyle* make_pair(LAMMPS* lmp, PairGran* parent, int64_t hash) {
+  return new Style(lmp, parent, hash);
+}
+template <class Style>
+LIGGGHTS::Walls::IGranularWall* make_wall(LAMMPS* lmp, FixWallGran* parent, int64_t hash) {
+  return new Style(lmp, parent, hash);
+}
+
+template <std::size_t N>
+const char* name_of(const Named (&models)[N], int64_t hash, int shift) {
+  const int id = static_cast<int>((hash >> shift) & 63);
+  for (const Named& m : models) {
+    if (m.id == id) return m.name;
+  }
+  return "unknown";
+}
+
+void refuse(LAMMPS* lmp, int64_t hash) {
+  const std::string message =
+      std::string("model jkr: combination of contact models; given: tangential ") +
+      name_of(kTangential, hash, 6) + ", cohesion " + name_of(kCohesion, hash, 12) +
+      ", rolling_friction " + name_of(kRolling, hash, 18) + ", surface " + name_of(kSurface, hash, 24) +
+      "; allowed: tangential off | no_history | history, rolling_friction off | cdt | epsd2, no "
+      "cohesion model (jkr is one), surface default; to do: change the pair_style gran or fix "
+      "wall/gran line";
+  lmp->error->all(FLERR, message.c_str());
+}
+LIGGGHTS::PairStyles::IGranularPairStyle* refuse_pair(LAMMPS* lmp, PairGran*, int64_t hash) {
+  refuse(lmp, hash);
+  return nullptr;
+}
+LIGGGHTS::Walls::IGranularWall* refuse_wall(LAMMPS* lmp, FixWallGran*, int64_t hash) {
+  refuse(lmp, hash);
+  return nullptr;
+}
+
+template <int Tangential, int Rolling>
+void add() {
+  using Model = host::JkrContactModel<Tangential, Rolling>;
+  const int variant = static_cast<int>(Model::STYLE_HASHCODE);
+  LIGGGHTS::PairStyles::Factory::instance().addStyle(
+      "gran", variant, &make_pair<LIGGGHTS::PairStyles::Granular<Model>>);
+  LIGGGHTS::Walls::Factory::instance().addStyle("gran", variant,
+                                                &make_wall<LIGGGHTS::Walls::Granular<Model>>);
+}
+
+template <int Tangential>
+void add_rolling() {
+  add<Tangential, lcm::ROLLING_OFF>();
+  add<Tangential, lcm::ROLLING_CDT>();
+  add<Tangential, lcm::ROLLING_EPSD2>();
+}
+
+bool supported(int tangential, int cohesion, int rolling, int surface) {
+  return (tangential == lcm::TANGENTIAL_OFF || tangential == lcm::TANGENTIAL_NO_HISTORY ||
+          tangential == lcm::TANGENTIAL_HISTORY) &&
+         cohesion == lcm::COHESION_OFF && surface == lcm::SURFACE_DEFAULT &&
+         (rolling == lcm::ROLLING_OFF || rolling == lcm::ROLLING_CDT || rolling == lcm::ROLLING_EPSD2);
+}
+
+}  // namespace
+
+void register_contact_models() {
+  static bool done = false;
+  if (done) return;
+  done = true;
+  lcm::Factory::instance().addNormalModel("jkr", host::kJkrModelId);
+  add_rolling<lcm::TANGENTIAL_OFF>();
+  add_rolling<lcm::TANGENTIAL_NO_HISTORY>();
+  add_rolling<lcm::TANGENTIAL_HISTORY>();
+  for (const Named& t : kTangential) {
+    for (const Named& c : kCohesion) {
+      for (const Named& r : kRolling) {
+        for (const Named& s : kSurface) {
+          if (supported(t.id, c.id, r.id, s.id)) continue;
+          const auto variant = static_cast<int>(
+              LIGGGHTS::Utils::generate_gran_hashcode(host::kJkrModelId, t.id, c.id, r.id, s.id));
+          LIGGGHTS::PairStyles::Factory::instance().addStyle("gran", variant, &refuse_pair);
+          LIGGGHTS::Walls::Factory::instance().addStyle("gran", variant, &refuse_wall);
+        }
+      }
+    }
+  }
+}
+
+}  // namespace powderlink::plugin

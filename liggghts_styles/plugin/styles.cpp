@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "plugin/styles.h"
+
+#include <map>
+#include <string>
+
+#include <mpi.h>
+
+#include "fix.h"
+#include "input.h"
+#include "lammps.h"
+#include "modify.h"
+
+#include "host/fix_adhesion_effect.h"
+#include "host/fix_kat_drop.h"
+#include "host/kat_run_command.h"
+#include "plugin/contact_models.h"
+#include "plugin/private_access.h"
+
+namespace powderlink::plugin {
+
+namespace {
+
+using namespace LAMMPS_NS;
+using FixCreator = Fix* (*)(LAMMPS*, int, char**);
+using CommandCreator = void (*)(LAMMPS*, int, char**);
+
+POWDERLINK_PRIVATE_MEMBER(FixMap, Modify, fix_map, std::map<std::string, FixCreator>*)
+POWDERLINK_PRIVATE_MEMBER(CommandMap, Input, command_map, std::map<std::string, CommandCreator>*)
+
+template <class Style>
+Fix* make_fix(LAMMPS* lmp, int narg, char** arg) {
+  return new Style(lmp, narg, arg);
+}
+
+}  // namespace
+
+void register_styles(LAMMPS* lmp) {
+  register_contact_models();
+  auto& fixes = *(lmp->modify->*pointer_to(FixMap()));
+  fixes["adhesion/effect"] = &make_fix<host::FixAdhesionEffect>;
+  fixes["kat/drop"] = &make_fix<host::FixKatDrop>;
+  auto& commands = *(lmp->input->*pointer_to(CommandMap()));
+  commands["kat/run"] = &host::kat_run_command;
+}
+
+const char* help() {
+  return "\npowderlink styles (docs/reference.md):\n"
+         "  pair_style gran / fix wall/gran   model jkr [tangential off|no_history|history]\n"
+         "                                    [rolling_friction off|cdt|epsd2] [tangential_damping on|off]\n"
+         "  fix property/global               workOfAdhesion peratomtypepair N ...   [J/m^2]\n"
+         "  fix kat/drop                      Kinetic Adhesion Test: settle, fall, stop, detach\n"
+         "  fix adhesion/effect               one effect of 'powderlink effects'\n"
+         "  kat/run FIX-ID                    runs until the test of that fix is over\n";
+}
+
+}  // namespace powderlink::plugin

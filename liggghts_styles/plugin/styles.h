@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file styles.h
+/// Makes powderlink's fixes and commands known to one LIGGGHTS instance.
+#pragma once
+
+namespace LAMMPS_NS {
+class LAMMPS;
+}
+
+namespace powderlink::plugin {
+
+/// To be called after the instance exists and before it reads its input.
+void register_styles(LAMMPS_NS::LAMMPS* lmp);
+
+/// Text that `liggghts-powderlink -h` prints below LIGGGHTS's own help.
+const char* help();
+
+}  // namespace powderlink::plugin

@@ -1,0 +1,57 @@
+#!/usr/bin/env bash
+# scripts/lint.sh [--format | --tidy | --fix] [FILE...]
+# --format: clang-format on our C++ files; --tidy: clang-tidy on what build/ compiles;
+# neither: both; --fix: format in place.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+mode=all
+case ${1:-} in
+  --format | --tidy | --fix) mode=${1#--}; shift ;;
+  -*) sed -n '2,4s/^# //p' "${BASH_SOURCE[0]}" >&2; exit 2 ;;
+esac
+
+for tool in clang-format clang-tidy; do
+  command -v "$tool" >/dev/null || {
+    echo "lint: $tool is missing; given: PATH; allowed: version 14 or later; to do: run scripts/setup.sh" >&2
+    exit 1
+  }
+done
+
+# Files with OpenFOAM's suffixes (.C, .H) keep OpenFOAM's own layout.
+if [[ $# -gt 0 ]]; then
+  files=("$@")
+else
+  mapfile -t files < <(scripts/own_files.sh | grep -E '\.(cpp|h|hpp)$' || true)
+fi
+[[ ${#files[@]} -gt 0 ]] || exit 0
+
+status=0
+if [[ $mode == fix ]]; then
+  clang-format -i "${files[@]}"
+fi
+if [[ $mode == format || $mode == all ]]; then
+  for file in "${files[@]}"; do
+    if ! clang-format --dry-run -Werror --ferror-limit=1 "$file" 2>/dev/null; then
+      status=1
+      echo "lint: $file: layout differs from .clang-format; to do: scripts/lint.sh --fix" >&2
+    fi
+  done
+fi
+if [[ $mode == tidy || $mode == all ]]; then
+  [[ -f build/compile_commands.json ]] || {
+    echo "lint: no build/compile_commands.json; given: build/; allowed: a configured build; to do: cmake --preset release" >&2
+    exit 1
+  }
+  # Only files that the build compiles have flags to check them with.
+  compiled=()
+  for file in "${files[@]}"; do
+    if grep -qF "\"file\": \"$PWD/$file\"" build/compile_commands.json; then compiled+=("$file"); fi
+  done
+  if [[ ${#compiled[@]} -gt 0 ]]; then
+    printf '%s\0' "${compiled[@]}" |
+      xargs -0 -n 1 -P "$(nproc)" timeout 600 clang-tidy --quiet -p build \
+        2> >(grep -vE '^[0-9]+ warnings? generated' >&2) || status=1
+  fi
+fi
+exit $status
