@@ -27,7 +27,9 @@ option(POWDERLINK_NATIVE "Compile for this machine's processor (-march=native)" 
 option(POWDERLINK_SANITIZE "Address and undefined-behaviour sanitizers in our own code" OFF)
 
 add_library(powderlink_flags INTERFACE)
-target_compile_options(powderlink_flags INTERFACE -Wall -Wextra -Wpedantic)
+# Messages name files from the root of the repository.
+target_compile_options(powderlink_flags INTERFACE -Wall -Wextra -Wpedantic
+  -fmacro-prefix-map=${PROJECT_SOURCE_DIR}/=)
 if(POWDERLINK_NATIVE)
   check_cxx_compiler_flag(-march=native POWDERLINK_HAS_MARCH_NATIVE)
   if(POWDERLINK_HAS_MARCH_NATIVE)

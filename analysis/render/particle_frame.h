@@ -9,13 +9,12 @@
 /// Tests: tests/render/series_test.cpp, tests/render/bad_input_test.cpp
 #pragma once
 
+#include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 
 #include <filesystem>
 #include <string>
 #include <vector>
-
-class vtkPolyData;
 
 namespace powderlink::render {
 

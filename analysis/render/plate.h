@@ -4,13 +4,12 @@
 /// Tests: tests/render/series_test.cpp
 #pragma once
 
+#include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 
 #include <filesystem>
 
 #include "analysis/render/run_directory.h"
-
-class vtkPolyData;
 
 namespace powderlink::render {
 

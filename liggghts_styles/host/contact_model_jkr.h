@@ -16,7 +16,7 @@ namespace powderlink::host {
 namespace lcm = LIGGGHTS::ContactModels;
 
 template <int Tangential, int Rolling>
-class JkrContactModel : public lcm::ContactModelBase, private LAMMPS_NS::Pointers {
+class JkrContactModel : public lcm::ContactModelBase {
   using Style = lcm::GranStyle<kJkrModelId, Tangential, lcm::COHESION_OFF, Rolling, lcm::SURFACE_DEFAULT>;
 
  public:
@@ -24,7 +24,6 @@ class JkrContactModel : public lcm::ContactModelBase, private LAMMPS_NS::Pointer
 
   JkrContactModel(LAMMPS_NS::LAMMPS* lmp, IContactHistorySetup* history, bool is_wall, int64_t /*hash*/)
       : ContactModelBase(lmp, is_wall),
-        Pointers(lmp),
         surface_(lmp, history, this),
         normal_(lmp, history, this),
         tangential_(lmp, history, this),
@@ -35,7 +34,7 @@ class JkrContactModel : public lcm::ContactModelBase, private LAMMPS_NS::Pointer
   void tally_pp(double value, int i, int j, int index) override { surface_.tally_pp(value, i, j, index); }
   void tally_pw(double value, int i, int j, int index) override { surface_.tally_pw(value, i, j, index); }
 
-  void registerSettings(LIGGGHTS::Settings& settings) {
+  void registerSettings(Settings& settings) {
     surface_.registerSettings(settings);
     normal_.registerSettings(settings);
     tangential_.registerSettings(settings);
@@ -49,7 +48,7 @@ class JkrContactModel : public lcm::ContactModelBase, private LAMMPS_NS::Pointer
     rolling_.postSettings(history, this);
   }
 
-  void connectToProperties(LAMMPS_NS::PropertyRegistry& registry) {
+  void connectToProperties(PropertyRegistry& registry) {
     surface_.connectToProperties(registry);
     normal_.connectToProperties(registry);
     tangential_.connectToProperties(registry);
@@ -65,7 +64,7 @@ class JkrContactModel : public lcm::ContactModelBase, private LAMMPS_NS::Pointer
   inline void surfacesIntersect(lcm::SurfacesIntersectData& contact, lcm::ForceData& on_i,
                                 lcm::ForceData& on_j) {
     surface_.surfacesIntersect(contact, on_i, on_j);
-    if (normal_.update(contact) > 0.0) apply(contact, on_i, on_j);
+    if (normal_.advance(contact) > 0.0) apply(contact, on_i, on_j);
   }
 
   inline void surfacesClose(lcm::SurfacesIntersectData& contact, lcm::ForceData& on_i,
@@ -75,9 +74,9 @@ class JkrContactModel : public lcm::ContactModelBase, private LAMMPS_NS::Pointer
       if (contact.contact_flags != nullptr) *contact.contact_flags = 0;
       return;
     }
-    if (!contact.is_wall) complete_pair_geometry(contact);
+    if (!contact.is_wall) normal_.complete_pair_geometry(contact);
     surface_.surfacesIntersect(contact, on_i, on_j);
-    if (normal_.update(contact) > 0.0) {
+    if (normal_.advance(contact) > 0.0) {
       apply(contact, on_i, on_j);
       contact.has_force_update = true;
     } else {
@@ -114,18 +113,6 @@ class JkrContactModel : public lcm::ContactModelBase, private LAMMPS_NS::Pointer
     tangential_.surfacesIntersect(contact, on_i, on_j);
     rolling_.surfacesIntersect(contact, on_i, on_j);
     contact.deltan = overlap;
-  }
-
-  /// pair_gran_base.h fills these for overlapping pairs only.
-  void complete_pair_geometry(lcm::SurfacesIntersectData& contact) {
-    contact.r = std::sqrt(contact.rsq);
-    contact.rinv = 1.0 / contact.r;
-    for (int k = 0; k < 3; ++k) contact.en[k] = contact.delta[k] * contact.rinv;
-    contact.mi = atom->rmass[contact.i];
-    contact.mj = atom->rmass[contact.j];
-    contact.meff = contact.mi * contact.mj / (contact.mi + contact.mj);
-    contact.omega_i = atom->omega[contact.i];
-    contact.omega_j = atom->omega[contact.j];
   }
 
   lcm::SurfaceModel<lcm::SURFACE_DEFAULT> surface_;

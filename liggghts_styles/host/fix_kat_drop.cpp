@@ -27,6 +27,7 @@ namespace {
 constexpr double kSettledSpeed = 1e-8;       // of the impact speed: its cross term enters the energy twice
 constexpr double kSettledEnergy = 1e-12;     // of the impact energy, left in the contact spring
 constexpr int kSettleCheckEvery = 20;        // steps
+constexpr int kSettleChunk = 1000;           // steps between two looks of kat/run
 constexpr double kSettlePeriods = 200.0;     // default limit; critical damping needs a few
 constexpr double kWatchPeriods = 6.0;        // an undamped contact decides in its first swing
 constexpr double kPlaceWithin = 0.1;         // radii from the plate: moved to equilibrium
@@ -83,7 +84,10 @@ void FixKatDrop::stop_all(const std::string& message) const {
   std::abort();  // not reached: fix_error ends all ranks
 }
 
-int FixKatDrop::setmask() { return FixConst::POST_FORCE | FixConst::END_OF_STEP; }
+int FixKatDrop::setmask() { 
+  // PRE_EXCHANGE: without it LIGGGHTS does not call setup_pre_exchange().
+  return FixConst::PRE_EXCHANGE | FixConst::POST_FORCE | FixConst::END_OF_STEP;
+ }
 
 void FixKatDrop::post_create() {
   contacts_ = std::make_unique<PlateContacts>(lmp, this, options_.wall_id);
@@ -423,12 +427,11 @@ void FixKatDrop::account(int i, double own_force, double gap) {
   state[kSpeed] = speed - plate_speed;
   state[kContactRadius] = root * root;
   state[kKinetic] = 0.5 * m * now2;
-  state[kPotential] =
-      gap_energy + (root > 0.0 ? law_of(atom->type[i], atom->radius[i]).energy_J(root, atom->radius[i]) : 0.0);
+  const double contact_energy =
+      root > 0.0 ? law_of(atom->type[i], atom->radius[i]).energy_J(root, atom->radius[i]) : 0.0;
+  state[kPotential] = contact_energy + gap_energy;
   state[kWork] = own_work;
-  // The gap forces belong to the potential, not to the work from outside.
-  state[kDissipated] = -(contact_work + own_work - state[kWork]) -
-                       (state[kPotential] - gap_energy - state[kPotentialAtImpact]);
+  state[kDissipated] = -contact_work - (contact_energy - state[kContactEnergyAtImpact]);
   state[kEnergyResidual] =
       (state[kKinetic] - state[kKineticAtImpact] - contact_work - own_work) / impact_energy;
   state[kMomentumResidual] = (m * speed - state[kMomentumAtImpact] - impulse) / (m * impact_speed);
@@ -499,7 +502,7 @@ void FixKatDrop::begin_impact() {
     state[kBridge] = state[kTakesPart];
     state[kKineticAtImpact] = -1.0;  // taken in the first step
     state[kContactWork] = state[kOwnWork] = state[kImpulse] = 0.0;
-    state[kPotentialAtImpact] =
+    state[kContactEnergyAtImpact] =
         root > 0.0 ? law_of(atom->type[i], atom->radius[i]).energy_J(root, atom->radius[i]) : 0.0;
   }
 }
@@ -584,7 +587,7 @@ void FixKatDrop::write_results(const Summary& s) const {
 }
 
 int FixKatDrop::next_chunk_steps() const {
-  if (phase_ == Phase::settle) return kSettleCheckEvery;
+  if (phase_ == Phase::settle) return kSettleChunk;
   const double left = options_.stop.duration_s() + watch_s_ - time_since_impact();
   return std::max(1, static_cast<int>(std::ceil(left / update->dt)));
 }

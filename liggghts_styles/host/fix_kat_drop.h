@@ -18,8 +18,8 @@
 ///                [-], sums of kinetic, potential, dissipated energy and of the work of inertia and
 ///                gravity [J]
 /// f_ID[1..9]     per atom: attached (0, 1, 2 bound across the gap), speed away from the plate [m/s],
-///                contact radius [m], kinetic, potential, dissipated energy, work of inertia and gravity
-///                [J], energy residual over the impact energy, momentum residual over the impact momentum
+///                contact radius [m], kinetic, potential, dissipated energy, work of inertia, gravity
+///                and gap forces [J], energy residual over the impact energy, momentum residual over the impact momentum
 /// Energies are counted from the impact on; rotation is left out. The residuals compare the change of
 /// kinetic energy and momentum with the work and impulse of all forces in the integrator's own
 /// quadrature and must stay at round-off; a force that another fix adds after this one shows up there.
@@ -35,6 +35,7 @@
 #include "host/kat_drop_options.h"
 #include "host/plate_contacts.h"
 #include "models/adhesive_contact.h"
+#include "models/material.h"
 
 namespace powderlink::host {
 
@@ -76,16 +77,12 @@ class FixKatDrop : public LAMMPS_NS::Fix {
     kAttached, kSpeed, kContactRadius, kKinetic, kPotential, kDissipated, kWork, kEnergyResidual,
     kMomentumResidual, kReported,
     // hidden state
-    kKineticAtImpact = kReported, kMomentumAtImpact, kPotentialAtImpact, kContactWork, kOwnWork,
+    kKineticAtImpact = kReported, kMomentumAtImpact, kContactEnergyAtImpact, kContactWork, kOwnWork,
     kImpulse, kBridge, kTakesPart, kColumns
   };
   struct Summary;
 
   // --- physics of one grain on the plate
-  struct Grain {
-    models::JkrLaw law;
-    double reduced_mass_damping = 0.0;  ///< critical damping while settling [kg/s]
-  };
   models::JkrLaw law_of(int type, double radius) const;
   double gap_m(int i) const;
   double gap_force_N(int i, double gap) const;
@@ -115,14 +112,12 @@ class FixKatDrop : public LAMMPS_NS::Fix {
   Phase phase_ = Phase::settle;
   bool restarted_ = false;
   bool placed_ = false;
-  bool results_written_ = false;
   LAMMPS_NS::bigint start_step_ = -1;
   LAMMPS_NS::bigint impact_step_ = -1;
   double plate_position_ = 0.0;    ///< along the axis [m]
   double plate_half_speed_ = 0.0;  ///< along the fall, of the step to come [m/s]
   double settle_limit_s_ = 0.0;
   double watch_s_ = 0.0;
-  int size_at_population_ = 0;
 };
 
 }  // namespace powderlink::host

@@ -20,6 +20,8 @@
 #include "modify.h"
 #include "neighbor.h"
 #include "update.h"
+#include "fix_mesh_surface.h"
+#include "tri_mesh.h"
 #include "fix_property_atom.h"
 #include "fix_property_global.h"
 #include "fix_insert_stream.h"  // before pair_gran_base.h, which uses it undeclared

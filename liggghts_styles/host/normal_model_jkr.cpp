@@ -5,8 +5,9 @@
 #include <sstream>
 
 #include "host/fix_adhesion_effect.h"
-#include "primitive_wall.h"
-#include "tri_mesh.h"
+#include "host/private_access.h"
+
+POWDERLINK_PRIVATE_MEMBER(MeshPrecision, LAMMPS_NS::FixMesh, precision_, double)
 
 namespace powderlink::host {
 
@@ -19,6 +20,13 @@ constexpr double kRateStretch = 25.0;            // longest neck of a rate-depen
 constexpr double kLargestPlausibleEnergy = 10.0; // J/m^2; dry solids have 0.01 to 1
 constexpr double kMeshPrecisionOfRadius = 1e-6;  // edges must be sharp on the scale of the grains
 
+constexpr double kDefaultMeshPrecision = 1e-8;  // of LIGGGHTS, where fix mesh/surface names none
+
+double precision_m(FixMeshSurface* mesh) {
+  const double given = mesh->*pointer_to(MeshPrecision());
+  return given > 0.0 ? given : kDefaultMeshPrecision;
+}
+
 std::string text(double value) {
   std::ostringstream s;
   s << value;
@@ -29,11 +37,12 @@ std::string text(double value) {
 
 JkrNormalModel::JkrNormalModel(LAMMPS* lmp, IContactHistorySetup* history, ContactModelBase* model)
     : Pointers(lmp), is_wall_(model->is_wall()), parent_(history) {
+  pair_ = dynamic_cast<PairGran*>(history);
   history_offset_ = history->add_history_value(kRootHistory, "0");
   model->add_history_offset(kRootHistory, history_offset_);
 }
 
-void JkrNormalModel::registerSettings(LIGGGHTS::Settings& settings) {
+void JkrNormalModel::registerSettings(Settings& settings) {
   settings.registerOnOff("tangential_damping", tangential_damping_, true);
   settings.registerOnOff("limitForce", limit_force_, false);
 }
@@ -157,10 +166,10 @@ void JkrNormalModel::check_wall(double largest_gap) const {
   modify->max_min_rad(largest_radius, smallest_radius);
   for (int i = 0; i < wall->n_meshes(); ++i) {
     FixMeshSurface* mesh = wall->mesh_list()[i];
-    if (largest_radius > 0.0 && mesh->triMesh()->precision() > kMeshPrecisionOfRadius * smallest_radius) {
+    if (largest_radius > 0.0 && precision_m(mesh) > kMeshPrecisionOfRadius * smallest_radius) {
       const std::string message =
           std::string("model jkr on mesh '") + mesh->id + "': precision; given: " +
-          text(mesh->triMesh()->precision()) + " m (LIGGGHTS's default is 1e-8); allowed: at most " +
+          text(precision_m(mesh)) + " m (LIGGGHTS's default is 1e-8); allowed: at most " +
           text(kMeshPrecisionOfRadius * smallest_radius) +
           " m, or grains of this size get wrong forces at triangle edges; to do: add 'precision 1e-12' "
           "to fix mesh/surface";
@@ -169,7 +178,27 @@ void JkrNormalModel::check_wall(double largest_gap) const {
   }
 }
 
-double JkrNormalModel::update_with_effects(SurfacesIntersectData& contact, const JkrPair& pair,
+void JkrNormalModel::complete_pair_geometry(SurfacesIntersectData& contact) const {
+  const int i = contact.i;
+  const int j = contact.j;
+  contact.r = std::sqrt(contact.rsq);
+  contact.rinv = 1.0 / contact.r;
+  for (int k = 0; k < 3; ++k) contact.en[k] = contact.delta[k] * contact.rinv;
+  contact.omega_i = atom->omega[i];
+  contact.omega_j = atom->omega[j];
+  contact.mi = atom->rmass[i];
+  contact.mj = atom->rmass[j];
+  if (pair_->fr_pair() != nullptr) {
+    const double* body_mass = pair_->mr_pair();
+    if (body_mass[i] > 0.0) contact.mi = body_mass[i];
+    if (body_mass[j] > 0.0) contact.mj = body_mass[j];
+  }
+  contact.meff = contact.mi * contact.mj / (contact.mi + contact.mj);
+  if (atom->mask[i] & pair_->freeze_group_bit()) contact.meff = contact.mj;
+  if (atom->mask[j] & pair_->freeze_group_bit()) contact.meff = contact.mi;
+}
+
+double JkrNormalModel::advance_with_effects(SurfacesIntersectData& contact, const JkrPair& pair,
                                            double radius, double& memory, bool advances) const {
   const models::AdhesiveContact& rough = rough_contacts_[contact.itype * stride_ + contact.jtype];
   const models::JkrLaw law = rough.law(radius);

@@ -40,9 +40,9 @@ class JkrNormalModel : protected LAMMPS_NS::Pointers {
  public:
   JkrNormalModel(LAMMPS_NS::LAMMPS* lmp, IContactHistorySetup* history, ContactModelBase* model);
 
-  void registerSettings(LIGGGHTS::Settings& settings);
+  void registerSettings(Settings& settings);
   void postSettings();
-  void connectToProperties(LAMMPS_NS::PropertyRegistry& registry);
+  void connectToProperties(PropertyRegistry& registry);
 
   double& root(const SurfacesIntersectData& contact) const {
     return contact.contact_history[history_offset_];
@@ -50,13 +50,13 @@ class JkrNormalModel : protected LAMMPS_NS::Pointers {
 
   /// Advances the contact and sets force, stiffnesses, damping and the load that limits friction.
   /// \return sqrt(a), or 0 when there is no contact (any more); the history keeps it.
-  double update(SurfacesIntersectData& contact) const {
+  double advance(SurfacesIntersectData& contact) const {
     const JkrPair& pair = pairs_[contact.itype * stride_ + contact.jtype];
     const double radius =
         contact.is_wall ? contact.radi : contact.radi * contact.radj / (contact.radi + contact.radj);
     double& memory = root(contact);
     const bool advances = contact.computeflag && contact.shearupdate;
-    if (!effects_.empty()) return update_with_effects(contact, pair, radius, memory, advances);
+    if (!effects_.empty()) return advance_with_effects(contact, pair, radius, memory, advances);
 
     double root;
     if (!pair.law.adhesive()) {
@@ -73,6 +73,9 @@ class JkrNormalModel : protected LAMMPS_NS::Pointers {
     finish(contact, pair, root, pair.law.force_N(root, radius), pair.law.pull_off_force_N(radius));
     return root;
   }
+
+  /// Fills in what pair_gran_base.h computes for overlapping pairs only.
+  void complete_pair_geometry(SurfacesIntersectData& contact) const;
 
  private:
   static double end_contact(double& memory, bool advances) {
@@ -91,15 +94,15 @@ class JkrNormalModel : protected LAMMPS_NS::Pointers {
     friction_load_ = models::friction_load_N(contact.Fn, pull_off);
   }
 
-  double update_with_effects(SurfacesIntersectData& contact, const JkrPair& pair, double radius,
+  double advance_with_effects(SurfacesIntersectData& contact, const JkrPair& pair, double radius,
                              double& memory, bool advances) const;
   void check_host() const;
   void check_wall(double largest_gap) const;
   double largest_stretch() const;
-  double property(LAMMPS_NS::PropertyRegistry& registry, const char* name, int i, int j) const;
+  double property(PropertyRegistry& registry, const char* name, int i, int j) const;
 
  public:
-  /// Normal load of Thornton's friction limit for the contact that update() just did [N].
+  /// Normal load of Thornton's friction limit for the contact that advance() just did [N].
   double friction_load() const { return friction_load_; }
 
  private:
@@ -110,6 +113,7 @@ class JkrNormalModel : protected LAMMPS_NS::Pointers {
   bool tangential_damping_ = true;
   bool limit_force_ = false;
   IContactHistorySetup* parent_;
+  LAMMPS_NS::PairGran* pair_ = nullptr;  ///< the parent, if it is not a wall
   mutable double friction_load_ = 0.0;
   std::vector<const models::Effect*> effects_;
   std::vector<models::AdhesiveContact> rough_contacts_;  ///< as pairs_, only with effects

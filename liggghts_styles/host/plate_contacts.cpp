@@ -32,8 +32,7 @@ int PlateContacts::plate_type() const {
 
 double PlateContacts::root(int i) const {
   if (primitive_history_ != nullptr) {
-    return wall_->dnum() > 1 ? primitive_history_->array_atom[i][offset_]
-                             : primitive_history_->vector_atom[i];
+    return primitive_history_->array_atom[i][offset_];
   }
   double root = 0.0;
   for (int m = 0; m < wall_->n_meshes(); ++m) {

@@ -13,14 +13,10 @@
 #include "lammps.h"
 #include "pointers.h"
 
-#include "plugin/private_access.h"
+#include "host/private_access.h"
 #include "plugin/styles.h"
 
-namespace powderlink::plugin {
-namespace {
 POWDERLINK_PRIVATE_MEMBER(Instance, LAMMPS_NS::Pointers, lmp, LAMMPS_NS::LAMMPS*)
-}
-}  // namespace powderlink::plugin
 
 namespace LAMMPS_NS {
 
@@ -34,7 +30,7 @@ void Input::file() {
     std::exit(1);
   }
   auto* pointers = static_cast<Pointers*>(this);
-  powderlink::plugin::register_styles(pointers->*pointer_to(powderlink::plugin::Instance()));
+  powderlink::plugin::register_styles(pointers->*pointer_to(powderlink::host::Instance()));
   next(this);
 }
 

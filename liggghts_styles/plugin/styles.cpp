@@ -15,18 +15,18 @@
 #include "host/fix_kat_drop.h"
 #include "host/kat_run_command.h"
 #include "plugin/contact_models.h"
-#include "plugin/private_access.h"
+#include "host/private_access.h"
+
+using FixCreator = LAMMPS_NS::Fix* (*)(LAMMPS_NS::LAMMPS*, int, char**);
+using CommandCreator = void (*)(LAMMPS_NS::LAMMPS*, int, char**);
+POWDERLINK_PRIVATE_MEMBER(FixMap, LAMMPS_NS::Modify, fix_map, std::map<std::string, FixCreator>*)
+POWDERLINK_PRIVATE_MEMBER(CommandMap, LAMMPS_NS::Input, command_map, std::map<std::string, CommandCreator>*)
 
 namespace powderlink::plugin {
 
 namespace {
 
 using namespace LAMMPS_NS;
-using FixCreator = Fix* (*)(LAMMPS*, int, char**);
-using CommandCreator = void (*)(LAMMPS*, int, char**);
-
-POWDERLINK_PRIVATE_MEMBER(FixMap, Modify, fix_map, std::map<std::string, FixCreator>*)
-POWDERLINK_PRIVATE_MEMBER(CommandMap, Input, command_map, std::map<std::string, CommandCreator>*)
 
 template <class Style>
 Fix* make_fix(LAMMPS* lmp, int narg, char** arg) {
@@ -37,10 +37,10 @@ Fix* make_fix(LAMMPS* lmp, int narg, char** arg) {
 
 void register_styles(LAMMPS* lmp) {
   register_contact_models();
-  auto& fixes = *(lmp->modify->*pointer_to(FixMap()));
+  auto& fixes = *(lmp->modify->*pointer_to(host::FixMap()));
   fixes["adhesion/effect"] = &make_fix<host::FixAdhesionEffect>;
   fixes["kat/drop"] = &make_fix<host::FixKatDrop>;
-  auto& commands = *(lmp->input->*pointer_to(CommandMap()));
+  auto& commands = *(lmp->input->*pointer_to(host::CommandMap()));
   commands["kat/run"] = &host::kat_run_command;
 }
 

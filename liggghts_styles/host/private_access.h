@@ -7,18 +7,21 @@
 /// to one: POWDERLINK_PRIVATE_MEMBER(Tag, Class, member, type) makes `object.*pointer_to(Tag())` valid.
 #pragma once
 
-namespace powderlink::plugin {
+namespace powderlink::host {
 
 template <class Tag, typename Tag::Pointer Member>
 struct ExposeMember {
   friend typename Tag::Pointer pointer_to(Tag) { return Member; }
 };
 
-}  // namespace powderlink::plugin
+}  // namespace powderlink::host
 
-#define POWDERLINK_PRIVATE_MEMBER(TAG, CLASS, MEMBER, ...)   \
-  struct TAG {                                               \
-    using Pointer = __VA_ARGS__ CLASS::*;                    \
-    friend Pointer pointer_to(TAG);                          \
-  };                                                         \
-  template struct ExposeMember<TAG, &CLASS::MEMBER>;
+/// To be used at global scope; TAG becomes powderlink::host::TAG.
+#define POWDERLINK_PRIVATE_MEMBER(TAG, CLASS, MEMBER, ...) \
+  namespace powderlink::host {                             \
+  struct TAG {                                             \
+    using Pointer = __VA_ARGS__ CLASS::*;                  \
+    friend Pointer pointer_to(TAG);                        \
+  };                                                       \
+  template struct ExposeMember<TAG, &CLASS::MEMBER>;       \
+  }

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/csv_table.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <boost/algorithm/string/trim.hpp>
+#include <boost/tokenizer.hpp>
+#include <charconv>
+#include <cmath>
+#include <fstream>
+
+#include "models/invalid_input.h"
+
+namespace powderlink::analysis {
+
+namespace {
+
+std::vector<std::string> split(const std::string& line, const std::string& place) {
+  using Separator = boost::escaped_list_separator<char>;
+  std::vector<std::string> cells;
+  try {
+    for (std::string cell : boost::tokenizer<Separator>(line, Separator())) {
+      boost::algorithm::trim(cell);
+      cells.push_back(std::move(cell));
+    }
+  } catch (const boost::escaped_list_error& e) {
+    throw InvalidInput(place, "'" + line + "'", "cells separated by commas", e.what());
+  }
+  return cells;
+}
+
+}  // namespace
+
+std::optional<std::size_t> CsvTable::find_column(const std::string& name) const {
+  const auto found = std::find(columns.begin(), columns.end(), name);
+  if (found == columns.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - columns.begin());
+}
+
+std::string CsvTable::place(const Row& row, std::size_t column) const {
+  return fmt::format("{}, line {}, column '{}'", file, row.line, columns.at(column));
+}
+
+double CsvTable::number(const Row& row, std::size_t column) const {
+  const std::string& cell = row.cells.at(column);
+  const char* begin = cell.c_str() + (!cell.empty() && cell[0] == '+' ? 1 : 0);
+  const char* end = cell.c_str() + cell.size();
+  double value = 0.0;
+  const auto [rest, error] = std::from_chars(begin, end, value);
+  if (error != std::errc() || rest != end || !std::isfinite(value)) {
+    throw InvalidInput(place(row, column), cell.empty() ? "an empty cell" : "'" + cell + "'",
+                       "a finite number with a decimal point", "correct the cell or remove the row");
+  }
+  return value;
+}
+
+CsvTable read_csv(const std::filesystem::path& file) {
+  CsvTable table;
+  table.file = file.string();
+  std::ifstream in(file);
+  if (!in || std::filesystem::is_directory(file)) {
+    throw InvalidInput("measurement file", table.file, "a CSV file that can be read",
+                       "check the path; a relative one starts at the study file's folder");
+  }
+  int line_number = 0;
+  for (std::string line; std::getline(in, line);) {
+    ++line_number;
+    if (line_number == 1 && line.compare(0, 3, "\xEF\xBB\xBF") == 0) line.erase(0, 3);
+    boost::algorithm::trim(line);
+    if (line.empty() || line[0] == '#') continue;
+    const std::string place = fmt::format("{}, line {}", table.file, line_number);
+    std::vector<std::string> cells = split(line, place);
+    if (table.columns.empty()) {
+      for (std::size_t i = 0; i < cells.size(); ++i) {
+        if (std::find(cells.begin(), cells.begin() + static_cast<long>(i), cells[i]) !=
+            cells.begin() + static_cast<long>(i)) {
+          throw InvalidInput(place + ", header", "column '" + cells[i] + "' twice",
+                             "every column once", "rename or remove one of them");
+        }
+      }
+      table.columns = std::move(cells);
+    } else if (cells.size() != table.columns.size()) {
+      const bool comma = cells.size() > table.columns.size();
+      throw InvalidInput(
+          fmt::format("{}, column {}", place, std::min(cells.size(), table.columns.size()) + 1),
+          fmt::format("{} cells ('{}')", cells.size(), line),
+          fmt::format("{} cells, as in the header", table.columns.size()),
+          comma ? "decimal commas? write decimal points" : "fill the missing cells or remove the row");
+    } else {
+      table.rows.push_back({line_number, std::move(cells)});
+    }
+  }
+  if (table.rows.empty()) {
+    throw InvalidInput(fmt::format("{}, line {}", table.file, std::max(line_number, 1)),
+                       table.columns.empty() ? "an empty file" : "a header without rows",
+                       "a header line and at least one row, separated by commas",
+                       "fill the file, or correct its path in the study");
+  }
+  return table;
+}
+
+}  // namespace powderlink::analysis

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file csv_table.h
+/// A comma-separated file: '#' comment lines, one header line, rows of equal length.
+/// Cells are kept as text. Every error is InvalidInput and names file, line and column.
+/// Tests: tests/analysis/measurements_test.cpp
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace powderlink::analysis {
+
+struct CsvTable {
+  struct Row {
+    int line = 0;  ///< in the file, from 1
+    std::vector<std::string> cells;
+  };
+  std::string file;
+  std::vector<std::string> columns;
+  std::vector<Row> rows;
+
+  std::optional<std::size_t> find_column(const std::string& name) const;
+  /// "drop.csv, line 4, column 'impact_velocity_m_s'"
+  std::string place(const Row& row, std::size_t column) const;
+  /// Throws unless the whole cell is a finite number.
+  double number(const Row& row, std::size_t column) const;
+};
+
+/// Throws for a file that cannot be read, is empty, has rows of another length than its header, or
+/// two columns of the same name.
+CsvTable read_csv(const std::filesystem::path& file);
+
+}  // namespace powderlink::analysis

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file material_library.h
+/// Materials known by name: the list of models/materials.def (density, Young's modulus, Poisson's
+/// ratio in SI units, with their source there).
+/// Tests: tests/analysis/study_test.cpp
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "models/material.h"
+
+namespace powderlink::analysis {
+
+const std::vector<models::Material>& known_materials();
+
+/// Throws InvalidInput that lists the known names.
+const models::Material& find_material(const std::string& name);
+
+/// "316L, borosilicate_glass, UPVC": for help texts and messages.
+std::string known_material_names();
+
+}  // namespace powderlink::analysis

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file legend.h
+/// Scale bar and colour key of a picture.
+/// Tests: tests/render/picture_test.cpp
+#pragma once
+
+#include "analysis/render/text.h"
+
+namespace powderlink::render {
+
+/// The largest of 1, 2, 5 times a power of ten that is not above `limit`.
+double round_length(double limit);
+
+/// The smallest of 1, 1.5, 2, 3, 4, 5, 6, 8 times a power of ten that is not below `largest`.
+double round_scale(double largest);
+
+/// Intervals of a scale from round_scale, so that every tick is a round number.
+int scale_ticks(double scale);
+
+/// Bar of a round length, its right end at `right`; `limit_px` bounds its length.
+void draw_scale_bar(vtkRenderer* layer, Pixel right, double pixels_per_um, double limit_px,
+                    double text_px);
+
+/// Disc for the attached grains, ramp with ticks for the speed of the leaving ones.
+void draw_colour_key(vtkRenderer* layer, Pixel left, double width_px, double speed_scale,
+                     double text_px);
+
+}  // namespace powderlink::render
