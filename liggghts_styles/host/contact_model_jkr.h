@@ -2,11 +2,12 @@
 /// \file contact_model_jkr.h
 /// A LIGGGHTS contact model made of surface, `jkr`, tangential and rolling model, with a live neck.
 ///
-/// LIGGGHTS calls surfacesIntersect() in overlap and surfacesClose() beyond it, and its own tangential
-/// and rolling models drop their springs in surfacesClose(). A JKR contact lives on in the gap, so a
-/// live neck takes the whole intersect path here, with the geometry that LIGGGHTS leaves stale there
-/// filled in. Friction and rolling resistance are limited by the load that presses the contact
-/// (models/friction_load.h), not by the net force: they read it through `Fn` and `kn * deltan`.
+/// LIGGGHTS calls surfacesIntersect() in overlap and surfacesClose() beyond it, and its own
+/// tangential and rolling models drop their springs in surfacesClose(). A JKR contact lives on in
+/// the gap, so a live neck takes the whole intersect path here, with the geometry that LIGGGHTS
+/// leaves stale there filled in. Friction and rolling resistance are limited by the load that
+/// presses the contact (models/friction_load.h), not by the net force: they read it through `Fn`
+/// and `kn * deltan`.
 #pragma once
 
 #include "host/normal_model_jkr.h"
@@ -17,12 +18,14 @@ namespace lcm = LIGGGHTS::ContactModels;
 
 template <int Tangential, int Rolling>
 class JkrContactModel : public lcm::ContactModelBase {
-  using Style = lcm::GranStyle<kJkrModelId, Tangential, lcm::COHESION_OFF, Rolling, lcm::SURFACE_DEFAULT>;
+  using Style =
+      lcm::GranStyle<kJkrModelId, Tangential, lcm::COHESION_OFF, Rolling, lcm::SURFACE_DEFAULT>;
 
  public:
   static const int64_t STYLE_HASHCODE = Style::HASHCODE;
 
-  JkrContactModel(LAMMPS_NS::LAMMPS* lmp, IContactHistorySetup* history, bool is_wall, int64_t /*hash*/)
+  JkrContactModel(LAMMPS_NS::LAMMPS* lmp, IContactHistorySetup* history, bool is_wall,
+                  int64_t /*hash*/)
       : ContactModelBase(lmp, is_wall),
         surface_(lmp, history, this),
         normal_(lmp, history, this),
@@ -31,8 +34,12 @@ class JkrContactModel : public lcm::ContactModelBase {
 
   int64_t hashcode() { return STYLE_HASHCODE; }
   double stressStrainExponent() { return 1.5; }
-  void tally_pp(double value, int i, int j, int index) override { surface_.tally_pp(value, i, j, index); }
-  void tally_pw(double value, int i, int j, int index) override { surface_.tally_pw(value, i, j, index); }
+  void tally_pp(double value, int i, int j, int index) override {
+    surface_.tally_pp(value, i, j, index);
+  }
+  void tally_pw(double value, int i, int j, int index) override {
+    surface_.tally_pw(value, i, j, index);
+  }
 
   void registerSettings(Settings& settings) {
     surface_.registerSettings(settings);
@@ -64,7 +71,7 @@ class JkrContactModel : public lcm::ContactModelBase {
   inline void surfacesIntersect(lcm::SurfacesIntersectData& contact, lcm::ForceData& on_i,
                                 lcm::ForceData& on_j) {
     surface_.surfacesIntersect(contact, on_i, on_j);
-    if (normal_.advance(contact) > 0.0) apply(contact, on_i, on_j);
+    if (normal_.advance(contact) == JkrNormalModel::State::live) apply_all(contact, on_i, on_j);
   }
 
   inline void surfacesClose(lcm::SurfacesIntersectData& contact, lcm::ForceData& on_i,
@@ -76,14 +83,15 @@ class JkrContactModel : public lcm::ContactModelBase {
     }
     if (!contact.is_wall) normal_.complete_pair_geometry(contact);
     surface_.surfacesIntersect(contact, on_i, on_j);
-    if (normal_.advance(contact) > 0.0) {
-      apply(contact, on_i, on_j);
-      contact.has_force_update = true;
-    } else {
-      tangential_.surfacesClose(contact, on_i, on_j);
-      rolling_.surfacesClose(contact, on_i, on_j);
-      if (contact.contact_flags != nullptr) *contact.contact_flags = 0;
+    contact.has_force_update = true;
+    if (normal_.advance(contact) == JkrNormalModel::State::live) {
+      apply_all(contact, on_i, on_j);
+      return;
     }
+    apply_normal(contact, on_i, on_j);
+    tangential_.surfacesClose(contact, on_i, on_j);
+    rolling_.surfacesClose(contact, on_i, on_j);
+    if (contact.contact_flags != nullptr) *contact.contact_flags = 0;
   }
 
   bool contact_match(const std::string type, const std::string model) {
@@ -97,18 +105,24 @@ class JkrContactModel : public lcm::ContactModelBase {
   }
 
  private:
-  inline void apply(lcm::SurfacesIntersectData& contact, lcm::ForceData& on_i, lcm::ForceData& on_j) {
-    // LIGGGHTS keeps the history of a contact as long as one flag is set.
-    if (contact.contact_flags != nullptr) *contact.contact_flags |= lcm::CONTACT_NORMAL_MODEL;
+  static inline void apply_normal(const lcm::SurfacesIntersectData& contact, lcm::ForceData& on_i,
+                                  lcm::ForceData& on_j) {
     const double force = contact.Fn * (contact.is_wall ? contact.area_ratio : 1.0);
     for (int k = 0; k < 3; ++k) {
       on_i.delta_F[k] += force * contact.en[k];
       if (!contact.is_wall) on_j.delta_F[k] -= force * contact.en[k];
     }
+  }
+
+  inline void apply_all(lcm::SurfacesIntersectData& contact, lcm::ForceData& on_i,
+                        lcm::ForceData& on_j) {
+    // LIGGGHTS keeps the history of a contact as long as one flag is set.
+    if (contact.contact_flags != nullptr) *contact.contact_flags |= lcm::CONTACT_NORMAL_MODEL;
+    apply_normal(contact, on_i, on_j);
     if (Tangential == lcm::TANGENTIAL_OFF && Rolling == lcm::ROLLING_OFF) return;
     const double overlap = contact.deltan;
     contact.Fn = normal_.friction_load();
-    contact.kn = contact.Fn;  // rolling model cdt takes its load as kn * deltan
+    contact.kn = normal_.rolling_load();  // rolling model cdt takes its load as kn * deltan
     contact.deltan = 1.0;
     tangential_.surfacesIntersect(contact, on_i, on_j);
     rolling_.surfacesIntersect(contact, on_i, on_j);

@@ -5,8 +5,8 @@
 
 #include "error.h"
 #include "force.h"
-#include "modify.h"
 #include "models/effect_registry.h"
+#include "modify.h"
 
 namespace powderlink::host {
 
@@ -14,9 +14,10 @@ using namespace LAMMPS_NS;
 
 FixAdhesionEffect::FixAdhesionEffect(LAMMPS* lmp, int narg, char** arg) : Fix(lmp, narg, arg) {
   if (narg < 4) {
-    error->fix_error(FLERR, this,
-                     "no effect named; given: no argument; allowed: a name of 'powderlink effects'; "
-                     "to do: fix ID all adhesion/effect NAME [parameters]");
+    error->fix_error(
+        FLERR, this,
+        "no effect named; given: no argument; allowed: a name of 'powderlink effects'; "
+        "to do: fix ID all adhesion/effect NAME [parameters]");
   }
   std::vector<double> parameters;
   for (int i = 4; i < narg; ++i) parameters.push_back(force->numeric(FLERR, arg[i]));

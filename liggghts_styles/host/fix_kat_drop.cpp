@@ -24,15 +24,16 @@ using namespace LAMMPS_NS;
 
 namespace {
 
-constexpr double kSettledSpeed = 1e-8;       // of the impact speed: its cross term enters the energy twice
-constexpr double kSettledEnergy = 1e-12;     // of the impact energy, left in the contact spring
-constexpr int kSettleCheckEvery = 20;        // steps
-constexpr int kSettleChunk = 1000;           // steps between two looks of kat/run
-constexpr double kSettlePeriods = 200.0;     // default limit; critical damping needs a few
-constexpr double kWatchPeriods = 6.0;        // an undamped contact decides in its first swing
-constexpr double kPlaceWithin = 0.1;         // radii from the plate: moved to equilibrium
-constexpr double kDeepestStart = 0.1;        // radii: a grain that overlaps the plate more is an error
-constexpr double kAllowedOverlap = 0.01;     // radii, of two grains at the start
+constexpr double kSettledSpeed =
+    1e-8;  // of the impact speed: its cross term enters the energy twice
+constexpr double kSettledEnergy = 1e-12;  // of the impact energy, left in the contact spring
+constexpr int kSettleCheckEvery = 20;     // steps
+constexpr int kSettleChunk = 1000;        // steps between two looks of kat/run
+constexpr double kSettlePeriods = 200.0;  // default limit; critical damping needs a few
+constexpr double kWatchPeriods = 6.0;     // an undamped contact decides in its first swing
+constexpr double kPlaceWithin = 0.1;      // radii from the plate: moved to equilibrium
+constexpr double kDeepestStart = 0.1;     // radii: a grain that overlaps the plate more is an error
+constexpr double kAllowedOverlap = 0.01;  // radii, of two grains at the start
 
 std::string text(double value) {
   std::ostringstream s;
@@ -84,10 +85,10 @@ void FixKatDrop::stop_all(const std::string& message) const {
   std::abort();  // not reached: fix_error ends all ranks
 }
 
-int FixKatDrop::setmask() { 
+int FixKatDrop::setmask() {
   // PRE_EXCHANGE: without it LIGGGHTS does not call setup_pre_exchange().
   return FixConst::PRE_EXCHANGE | FixConst::POST_FORCE | FixConst::END_OF_STEP;
- }
+}
 
 void FixKatDrop::post_create() {
   contacts_ = std::make_unique<PlateContacts>(lmp, this, options_.wall_id);
@@ -98,15 +99,16 @@ void FixKatDrop::post_create() {
 /// The mesh is moved by LIGGGHTS's own fix move/mesh, which asks this fix for the speed.
 void FixKatDrop::prepare_moving_plate() {
   if (!contacts_->wall().is_mesh_wall()) {
-    stop_all("frame moving; given: a primitive wall; allowed: a mesh wall; to do: use fix mesh/surface "
-             "and fix wall/gran ... mesh, or frame plate");
+    stop_all(
+        "frame moving; given: a primitive wall; allowed: a mesh wall; to do: use fix mesh/surface "
+        "and fix wall/gran ... mesh, or frame plate");
   }
   const std::string name(id);
   const std::string sign = options_.direction > 0 ? "" : "-";
   input->one(("variable " + name + "_plate_speed equal " + sign + "f_" + name + "[9]").c_str());
   input->one(("variable " + name + "_no_speed equal 0").c_str());
-  std::string line = "fix " + name + "_plate all move/mesh mesh " + contacts_->wall().mesh_list()[0]->id +
-                     " linear/variable";
+  std::string line = "fix " + name + "_plate all move/mesh mesh " +
+                     contacts_->wall().mesh_list()[0]->id + " linear/variable";
   for (int k = 0; k < 3; ++k) {
     line += " v_" + name + (k == options_.axis ? "_plate_speed" : "_no_speed");
   }
@@ -114,21 +116,25 @@ void FixKatDrop::prepare_moving_plate() {
 }
 
 void FixKatDrop::populate() {
-  const double largest = *std::max_element(options_.diameters_m.begin(), options_.diameters_m.end());
+  const double largest =
+      *std::max_element(options_.diameters_m.begin(), options_.diameters_m.end());
   const auto grid = square_grid(options_.diameters_m.size(), kGridSpacing * largest);
   if (options_.populate_type > atom->ntypes) {
-    stop_all("populate type; given: " + std::to_string(options_.populate_type) + "; allowed: 1 to " +
-             std::to_string(atom->ntypes) + "; to do: correct the type or create_box");
+    stop_all("populate type; given: " + std::to_string(options_.populate_type) +
+             "; allowed: 1 to " + std::to_string(atom->ntypes) +
+             "; to do: correct the type or create_box");
   }
   const int k = options_.axis;
   const int u = (k + 1) % 3;
   const int v = (k + 2) % 3;
-  const double half = 0.5 * kGridSpacing * largest * std::ceil(std::sqrt(static_cast<double>(grid.size())));
+  const double half =
+      0.5 * kGridSpacing * largest * std::ceil(std::sqrt(static_cast<double>(grid.size())));
   for (const int side : {u, v}) {
     if (domain->boxhi[side] - domain->boxlo[side] < 2.0 * half) {
       stop_all("populate; given: a box of " + text(domain->boxhi[side] - domain->boxlo[side]) +
-               " m in direction " + "xyz"[side] + "; allowed: at least " + text(2.0 * half) + " m for " +
-               std::to_string(grid.size()) + " grains; to do: enlarge the region of create_box");
+               " m in direction " + "xyz"[side] + "; allowed: at least " + text(2.0 * half) +
+               " m for " + std::to_string(grid.size()) +
+               " grains; to do: enlarge the region of create_box");
     }
   }
   const int first = atom->nlocal;
@@ -173,8 +179,9 @@ void FixKatDrop::populate() {
 
 models::Material FixKatDrop::material(int type) const {
   const auto value = [&](const char* name) {
-    return static_cast<FixPropertyGlobal*>(
-               modify->find_fix_property(name, "property/global", "peratomtype", atom->ntypes, 0, style))
+    return static_cast<FixPropertyGlobal*>(modify->find_fix_property(name, "property/global",
+                                                                     "peratomtype", atom->ntypes, 0,
+                                                                     style))
         ->compute_vector(type - 1);
   };
   models::Material m;
@@ -186,23 +193,26 @@ models::Material FixKatDrop::material(int type) const {
 }
 
 double FixKatDrop::pair_property(const char* name, int i, int j) const {
-  return static_cast<FixPropertyGlobal*>(modify->find_fix_property(
-             name, "property/global", "peratomtypepair", atom->ntypes, atom->ntypes, style))
+  return static_cast<FixPropertyGlobal*>(modify->find_fix_property(name, "property/global",
+                                                                   "peratomtypepair", atom->ntypes,
+                                                                   atom->ntypes, style))
       ->compute_array(i - 1, j - 1);
 }
 
 void FixKatDrop::init() {
   contacts_ = std::make_unique<PlateContacts>(lmp, this, options_.wall_id);
   if (modify->n_fixes_style("gravity") > 0) {
-    stop_all("gravity; given: a fix gravity beside fix kat/drop; allowed: one of them, because the test "
-             "must know what pulls; to do: remove fix gravity and use the keyword gravity");
+    stop_all(
+        "gravity; given: a fix gravity beside fix kat/drop; allowed: one of them, because the test "
+        "must know what pulls; to do: remove fix gravity and use the keyword gravity");
   }
   effects_ = FixAdhesionEffect::active(lmp);
   for (const models::Effect* effect : effects_) {
     if (!effect->stop()) continue;
     if (options_.stop_given) {
-      stop_all("stop; given: the keyword and an effect that stops the plate; allowed: one of them; to "
-               "do: remove the keyword 'stop' or the fix adhesion/effect");
+      stop_all(
+          "stop; given: the keyword and an effect that stops the plate; allowed: one of them; to "
+          "do: remove the keyword 'stop' or the fix adhesion/effect");
     }
     options_.stop = *effect->stop();
   }
@@ -244,9 +254,8 @@ double FixKatDrop::contact_period_s(int type, double radius) const {
   const models::JkrLaw law = law_of(type, radius);
   const double density = options_.density_kg_m3 > 0.0 ? options_.density_kg_m3 : 1000.0;
   // Without adhesion there is no equilibrium; Hertz at 1 % overlap gives the time scale.
-  const double stiffness = law.adhesive()
-                               ? law.equilibrium_stiffness_N_m(radius)
-                               : 2.0 * law.effective_modulus_Pa() * 0.1 * radius;
+  const double stiffness = law.adhesive() ? law.equilibrium_stiffness_N_m(radius)
+                                          : 2.0 * law.effective_modulus_Pa() * 0.1 * radius;
   return 2.0 * models::JkrLaw::kPi * std::sqrt(models::sphere_mass_kg(radius, density) / stiffness);
 }
 
@@ -263,10 +272,13 @@ void FixKatDrop::setup_pre_exchange() {
   }
   MPI_Max_Scalar(period, world);
   if (period == 0.0) {
-    stop_all("group of the fix; given: no particles; allowed: at least one grain; to do: use populate, or "
-             "create the grains before the run");
+    stop_all(
+        "group of the fix; given: no particles; allowed: at least one grain; to do: use populate, "
+        "or "
+        "create the grains before the run");
   }
-  settle_limit_s_ = options_.settle_limit_s > 0.0 ? options_.settle_limit_s : kSettlePeriods * period;
+  settle_limit_s_ =
+      options_.settle_limit_s > 0.0 ? options_.settle_limit_s : kSettlePeriods * period;
   watch_s_ = options_.watch_s > 0.0 ? options_.watch_s : kWatchPeriods * period;
   place_at_equilibrium();
 }
@@ -302,9 +314,10 @@ void FixKatDrop::check_before_run() {
   }
   MPI_Max_Scalar(fraction, world);
   if (fraction > models::kLargestRayleighFraction) {
-    stop_all("time step; given: " + text(update->dt) + " s, " + text(fraction) +
-             " Rayleigh times of the smallest grain; allowed: up to 0.5, better 0.1; to do: timestep " +
-             text(0.1 * update->dt / fraction));
+    stop_all(
+        "time step; given: " + text(update->dt) + " s, " + text(fraction) +
+        " Rayleigh times of the smallest grain; allowed: up to 0.5, better 0.1; to do: timestep " +
+        text(0.1 * update->dt / fraction));
   }
 
   NeighList* list = force->pair->list;
@@ -344,8 +357,9 @@ void FixKatDrop::setup(int /*vflag*/) {
 }
 
 double FixKatDrop::time_since_impact() const {
-  return phase_ == Phase::settle ? 0.0
-                                 : static_cast<double>(update->ntimestep - impact_step_) * update->dt;
+  return phase_ == Phase::settle
+             ? 0.0
+             : static_cast<double>(update->ntimestep - impact_step_) * update->dt;
 }
 
 double FixKatDrop::deceleration_now() const {
@@ -421,7 +435,8 @@ void FixKatDrop::account(int i, double own_force, double gap) {
   state[kImpulse] = impulse + h * total[k] * options_.direction;
 
   const double speed = (v[k] + 2.0 * half) * options_.direction;
-  const double plate_speed = options_.moving_frame ? plate_half_speed_ + h * deceleration_now() : 0.0;
+  const double plate_speed =
+      options_.moving_frame ? plate_half_speed_ + h * deceleration_now() : 0.0;
   const double root = contacts_->root(i);
   const double gap_energy = gap_energy_J(i, gap);
   state[kSpeed] = speed - plate_speed;
@@ -439,7 +454,8 @@ void FixKatDrop::account(int i, double own_force, double gap) {
   if (root > 0.0) {
     state[kAttached] = 1.0;
   } else {
-    const bool bound = gap_energy < 0.0 && 0.5 * m * state[kSpeed] * std::fabs(state[kSpeed]) + gap_energy < 0.0;
+    const bool bound =
+        gap_energy < 0.0 && 0.5 * m * state[kSpeed] * std::fabs(state[kSpeed]) + gap_energy < 0.0;
     state[kAttached] = bound ? 2.0 : 0.0;
   }
 }
@@ -451,9 +467,11 @@ bool FixKatDrop::settled() const {
     if (!(atom->mask[i] & groupbit) || contacts_->root(i) == 0.0) continue;
     const double m = atom->rmass[i];
     const double energy = 0.5 * m * options_.velocity_m_s * options_.velocity_m_s;
-    const double stiffness = law_of(atom->type[i], atom->radius[i]).equilibrium_stiffness_N_m(atom->radius[i]);
+    const double stiffness =
+        law_of(atom->type[i], atom->radius[i]).equilibrium_stiffness_N_m(atom->radius[i]);
     worst = std::max(worst, std::fabs(atom->v[i][k]) / (kSettledSpeed * options_.velocity_m_s));
-    worst = std::max(worst, 0.5 * atom->f[i][k] * atom->f[i][k] / stiffness / (kSettledEnergy * energy));
+    worst = std::max(worst,
+                     0.5 * atom->f[i][k] * atom->f[i][k] / stiffness / (kSettledEnergy * energy));
   }
   MPI_Max_Scalar(worst, world);
   return worst < 1.0;
@@ -468,7 +486,8 @@ void FixKatDrop::end_of_step() {
       begin_impact();
     } else if (static_cast<double>(steps) * update->dt > settle_limit_s_) {
       stop_all("settling; given: " + text(settle_limit_s_) +
-               " s; allowed: the grains must come to rest on the plate within it; to do: raise the keyword "
+               " s; allowed: the grains must come to rest on the plate within it; to do: raise the "
+               "keyword "
                "settle, or check that adhesion can carry the grains' weight");
     }
     return;
@@ -486,7 +505,8 @@ void FixKatDrop::begin_impact() {
   impact_step_ = update->ntimestep;
   const int k = options_.axis;
   const double kick = options_.stop.kick_m_s(options_.velocity_m_s);
-  // In the moving frame plate and grains arrive with the impact speed, and the plate alone is kicked.
+  // In the moving frame plate and grains arrive with the impact speed, and the plate alone is
+  // kicked.
   const double grain_speed = options_.moving_frame ? options_.velocity_m_s : kick;
   if (options_.moving_frame) {
     plate_half_speed_ = options_.velocity_m_s - kick - 0.5 * update->dt * deceleration_now();
@@ -596,20 +616,40 @@ double FixKatDrop::compute_scalar() { return summarize().critical_diameter; }
 
 double FixKatDrop::compute_vector(int n) {
   switch (n) {
-    case 0: return static_cast<double>(phase_);
-    case 7: return time_since_impact();
-    case 8: return options_.moving_frame ? plate_half_speed_ : 0.0;
-    case 9: return deceleration_now();
-    default: break;
+    case 0:
+      return static_cast<double>(phase_);
+    case 7:
+      return time_since_impact();
+    case 8:
+      return options_.moving_frame ? plate_half_speed_ : 0.0;
+    case 9:
+      return deceleration_now();
+    default:
+      break;
   }
   const Summary s = summarize();
-  const double values[] = {0, s.critical_diameter, s.largest_attached, s.smallest_detached, s.attached,
-                           s.detached, s.out_of_order, 0, 0, 0, s.energy_residual, s.momentum_residual,
-                           s.kinetic, s.potential, s.dissipated, s.work};
+  const double values[] = {0,
+                           s.critical_diameter,
+                           s.largest_attached,
+                           s.smallest_detached,
+                           s.attached,
+                           s.detached,
+                           s.out_of_order,
+                           0,
+                           0,
+                           0,
+                           s.energy_residual,
+                           s.momentum_residual,
+                           s.kinetic,
+                           s.potential,
+                           s.dissipated,
+                           s.work};
   return values[n];
 }
 
-void FixKatDrop::grow_arrays(int nmax) { memory->grow(array_atom, nmax, kColumns, "kat/drop:state"); }
+void FixKatDrop::grow_arrays(int nmax) {
+  memory->grow(array_atom, nmax, kColumns, "kat/drop:state");
+}
 
 void FixKatDrop::copy_arrays(int i, int j, int /*delflag*/) {
   std::copy(array_atom[i], array_atom[i] + kColumns, array_atom[j]);
@@ -631,9 +671,13 @@ int FixKatDrop::unpack_exchange(int nlocal, double* buf) {
 }
 
 void FixKatDrop::write_restart(FILE* file) {
-  const double list[] = {static_cast<double>(phase_), static_cast<double>(start_step_),
-                         static_cast<double>(impact_step_), plate_position_, plate_half_speed_,
-                         settle_limit_s_, watch_s_};
+  const double list[] = {static_cast<double>(phase_),
+                         static_cast<double>(start_step_),
+                         static_cast<double>(impact_step_),
+                         plate_position_,
+                         plate_half_speed_,
+                         settle_limit_s_,
+                         watch_s_};
   if (comm->me != 0) return;
   const int size = sizeof(list);
   fwrite(&size, sizeof(int), 1, file);
@@ -668,6 +712,8 @@ void FixKatDrop::unpack_restart(int nlocal, int nth) {
 
 int FixKatDrop::size_restart(int /*nlocal*/) { return kColumns + 1; }
 int FixKatDrop::maxsize_restart() { return kColumns + 1; }
-double FixKatDrop::memory_usage() { return static_cast<double>(atom->nmax) * kColumns * sizeof(double); }
+double FixKatDrop::memory_usage() {
+  return static_cast<double>(atom->nmax) * kColumns * sizeof(double);
+}
 
 }  // namespace powderlink::host

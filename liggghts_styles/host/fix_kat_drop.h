@@ -3,28 +3,32 @@
 /// `fix kat/drop`: the Kinetic Adhesion Test as one style. Syntax: host/kat_drop_options.h.
 ///
 /// Grains hang under a plate. Phases: (0) settle to equilibrium, critically damped; (1) the plate,
-/// falling with the impact speed, is stopped by models/stop_pulse.h; (2) watch until the contacts have
-/// decided; (3) over. In the plate's frame the plate stands still and every grain feels the
+/// falling with the impact speed, is stopped by models/stop_pulse.h; (2) watch until the contacts
+/// have decided; (3) over. In the plate's frame the plate stands still and every grain feels the
 /// deceleration A(t) along the fall; with `frame moving` the mesh itself falls and is stopped, and
 /// the grains feel gravity only. The two agree to round-off without damping.
 ///
-/// A grain is attached while its contact with the plate lives (history of model jkr), or while a force
-/// across the gap (fix adhesion/effect) binds it; no height is guessed.
+/// A grain is attached while its contact with the plate lives (history of model jkr), or while a
+/// force across the gap (fix adhesion/effect) binds it; no height is guessed.
 ///
 /// f_ID (scalar)  critical diameter [m], geometric mean of the bracket; 0 while there is none
-/// f_ID[1..16]    phase, critical diameter, largest attached, smallest detached diameter [m], number
-///                attached, detached, out of order, time since impact [s], speed of the plate along the
-///                fall [m/s], its deceleration [m/s^2], largest energy and momentum residual of a grain
+/// f_ID[1..16]    phase, critical diameter, largest attached, smallest detached diameter [m],
+/// number
+///                attached, detached, out of order, time since impact [s], speed of the plate along
+///                the fall [m/s], its deceleration [m/s^2], largest energy and momentum residual of
+///                a grain
 ///                [-], sums of kinetic, potential, dissipated energy and of the work of inertia and
 ///                gravity [J]
-/// f_ID[1..9]     per atom: attached (0, 1, 2 bound across the gap), speed away from the plate [m/s],
-///                contact radius [m], kinetic, potential, dissipated energy, work of inertia, gravity
-///                and gap forces [J], energy residual over the impact energy, momentum residual over the impact momentum
-/// Energies are counted from the impact on; rotation is left out. The residuals compare the change of
-/// kinetic energy and momentum with the work and impulse of all forces in the integrator's own
-/// quadrature and must stay at round-off; a force that another fix adds after this one shows up there.
-/// "Dissipated" is what the contact took and its closed-form energy does not hold: damping, and the
-/// neck's energy at tear-off.
+/// f_ID[1..9]     per atom: attached (0, 1, 2 bound across the gap), speed away from the plate
+/// [m/s],
+///                contact radius [m], kinetic, potential, dissipated energy, work of inertia,
+///                gravity and gap forces [J], energy residual over the impact energy, momentum
+///                residual over the impact momentum
+/// Energies are counted from the impact on; rotation is left out. The residuals compare the change
+/// of kinetic energy and momentum with the work and impulse of all forces in the integrator's own
+/// quadrature and must stay at round-off; a force that another fix adds after this one shows up
+/// there. "Dissipated" is what the contact took and its closed-form energy does not hold: damping,
+/// and the neck's energy at tear-off.
 #pragma once
 
 #include <memory>
@@ -74,11 +78,26 @@ class FixKatDrop : public LAMMPS_NS::Fix {
  private:
   enum class Phase { settle, stop, watch, over };
   enum Column {
-    kAttached, kSpeed, kContactRadius, kKinetic, kPotential, kDissipated, kWork, kEnergyResidual,
-    kMomentumResidual, kReported,
+    kAttached,
+    kSpeed,
+    kContactRadius,
+    kKinetic,
+    kPotential,
+    kDissipated,
+    kWork,
+    kEnergyResidual,
+    kMomentumResidual,
+    kReported,
     // hidden state
-    kKineticAtImpact = kReported, kMomentumAtImpact, kContactEnergyAtImpact, kContactWork, kOwnWork,
-    kImpulse, kBridge, kTakesPart, kColumns
+    kKineticAtImpact = kReported,
+    kMomentumAtImpact,
+    kContactEnergyAtImpact,
+    kContactWork,
+    kOwnWork,
+    kImpulse,
+    kBridge,
+    kTakesPart,
+    kColumns
   };
   struct Summary;
 

@@ -23,7 +23,8 @@ class Words {
   Words(int narg, const char* const* arg) : n_(narg), arg_(arg) {}
   bool more() const { return i_ < n_; }
   std::string next(const std::string& what, const std::string& allowed) {
-    if (!more()) throw InvalidInput(what, "nothing (end of the line)", allowed, "complete the line");
+    if (!more())
+      throw InvalidInput(what, "nothing (end of the line)", allowed, "complete the line");
     return arg_[i_++];
   }
   double number(const std::string& what, double low, double high, const std::string& allowed) {
@@ -35,7 +36,8 @@ class Words {
     return value;
   }
   double positive(const std::string& what) {
-    return number(what, std::numeric_limits<double>::min(), std::numeric_limits<double>::max(), "> 0");
+    return number(what, std::numeric_limits<double>::min(), std::numeric_limits<double>::max(),
+                  "> 0");
   }
   int count(const std::string& what, int low) {
     return static_cast<int>(std::llround(
@@ -73,7 +75,8 @@ models::StopPulse measured_stop(const std::string& file, double rebound) {
 }
 
 std::vector<double> parse_sizes(Words& words) {
-  const std::string allowed = "range DMIN DMAX N | list N D1 ... | rosinrammler X0 N DMIN DMAX COUNT SEED";
+  const std::string allowed =
+      "range DMIN DMAX N | list N D1 ... | rosinrammler X0 N DMIN DMAX COUNT SEED";
   if (words.next("populate", "sizes") != "sizes") {
     throw InvalidInput("populate", "no keyword 'sizes'", "type T density RHO sizes ...",
                        "name the sizes after the density");
@@ -81,7 +84,8 @@ std::vector<double> parse_sizes(Words& words) {
   const std::string kind = words.next("populate sizes", allowed);
   const auto ordered = [](double low, double high) {
     if (!(low <= high)) {
-      throw InvalidInput("populate sizes", std::to_string(low) + " .. " + std::to_string(high) + " m",
+      throw InvalidInput("populate sizes",
+                         std::to_string(low) + " .. " + std::to_string(high) + " m",
                          "smallest diameter first", "exchange the two");
     }
   };
@@ -126,7 +130,8 @@ KatDropOptions KatDropOptions::parse(int narg, const char* const* arg) {
     } else if (key == "plate") {
       const std::string plane = words.next("plate", "xplane | yplane | zplane");
       if (plane != "xplane" && plane != "yplane" && plane != "zplane") {
-        throw InvalidInput("plate", plane, "xplane | yplane | zplane", "name the plane of the wall");
+        throw InvalidInput("plate", plane, "xplane | yplane | zplane",
+                           "name the plane of the wall");
       }
       o.axis = plane[0] - 'x';
       o.plate_position = words.number("plate coordinate", -1e3, 1e3, "metres");
@@ -134,7 +139,8 @@ KatDropOptions KatDropOptions::parse(int narg, const char* const* arg) {
     } else if (key == "fall") {
       const std::string way = words.next("fall", "-x +x -y +y -z +z");
       if (way.size() != 2 || (way[0] != '-' && way[0] != '+') || way[1] < 'x' || way[1] > 'z') {
-        throw InvalidInput("fall", way, "-x +x -y +y -z +z", "name the direction in which grains leave");
+        throw InvalidInput("fall", way, "-x +x -y +y -z +z",
+                           "name the direction in which grains leave");
       }
       o.direction = way[0] == '-' ? -1.0 : 1.0;
       if (way[1] - 'x' != o.axis) {
@@ -170,7 +176,8 @@ KatDropOptions KatDropOptions::parse(int narg, const char* const* arg) {
       o.watch_s = words.positive("watch time");
     } else if (key == "populate") {
       if (words.next("populate", "type") != "type") {
-        throw InvalidInput("populate", "no keyword 'type'", "type T density RHO sizes ...", "start with type");
+        throw InvalidInput("populate", "no keyword 'type'", "type T density RHO sizes ...",
+                           "start with type");
       }
       o.populate_type = words.count("populate type", 1);
       if (words.next("populate", "density") != "density") {
@@ -187,7 +194,8 @@ KatDropOptions KatDropOptions::parse(int narg, const char* const* arg) {
   }
   if (o.wall_id.empty() || !plate_given || o.velocity_m_s == 0.0) {
     throw InvalidInput("fix kat/drop", "a line without wall, plate or velocity",
-                       "wall WALL-ID plate zplane COORDINATE velocity V [...]", "complete the line");
+                       "wall WALL-ID plate zplane COORDINATE velocity V [...]",
+                       "complete the line");
   }
   if (stop == "instant") o.stop = models::StopPulse::instant(rebound);
   if (stop == "halfsine") o.stop = models::StopPulse::half_sine(tau, rebound);

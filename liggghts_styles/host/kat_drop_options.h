@@ -3,13 +3,12 @@
 /// The arguments of `fix kat/drop`, parsed and checked.
 ///
 ///   fix ID group kat/drop wall WALL-ID plate xplane|yplane|zplane COORDINATE velocity V
-///       [fall -x|+x|-y|+y|-z|+z]        default -z: grains hang below the plate and leave downwards
-///       [stop instant | halfsine TAU | hertz TAU | file FILE]   default instant
-///       [rebound E_P]                   of the plate, default 0
-///       [frame plate|moving]            default plate; moving needs a mesh wall
-///       [gravity G]                     along the fall, default 9.81 m/s^2
-///       [settle TIME] [watch TIME]      limits; defaults are 200 and 6 contact periods
-///       [populate type T density RHO sizes range DMIN DMAX N
+///       [fall -x|+x|-y|+y|-z|+z]        default -z: grains hang below the plate and leave
+///       downwards [stop instant | halfsine TAU | hertz TAU | file FILE]   default instant [rebound
+///       E_P]                   of the plate, default 0 [frame plate|moving]            default
+///       plate; moving needs a mesh wall [gravity G]                     along the fall,
+///       default 9.81 m/s^2 [settle TIME] [watch TIME]      limits; defaults are 200 and 6 contact
+///       periods [populate type T density RHO sizes range DMIN DMAX N
 ///                                        | list N D1 ... DN
 ///                                        | rosinrammler X0 EXPONENT DMIN DMAX N SEED]
 ///       [results FILE]                  JSON, written when the test is over

@@ -6,6 +6,11 @@
 
 namespace powderlink::host {
 
+namespace {
+constexpr double kOffCentreU = 0.0127;  // of the spacing; no simple fraction of a mesh
+constexpr double kOffCentreV = 0.0071;
+}  // namespace
+
 std::vector<double> graded_diameters(double d_min, double d_max, int n) {
   std::vector<double> d;
   for (int i = 0; i < n; ++i) {
@@ -34,8 +39,8 @@ std::vector<PlanePoint> square_grid(std::size_t n, double spacing) {
   std::vector<PlanePoint> points;
   for (std::size_t i = 0; i < n; ++i) {
     const double centre = 0.5 * (static_cast<double>(side) - 1.0);
-    points.push_back({(static_cast<double>(i % side) - centre) * spacing,
-                      (static_cast<double>(i / side) - centre) * spacing});
+    points.push_back({(static_cast<double>(i % side) - centre + kOffCentreU) * spacing,
+                      (static_cast<double>(i / side) - centre + kOffCentreV) * spacing});
   }
   return points;
 }

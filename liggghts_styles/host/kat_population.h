@@ -20,6 +20,8 @@ std::vector<double> rosin_rammler_diameters(double x0, double exponent, double d
 inline constexpr double kGridSpacing = 1.2;
 
 /// In-plane places (u, v) on a square grid around (0, 0), one per diameter, in the given order [m].
+/// The grid is a little off centre: a mesh plate often has a vertex there, and LIGGGHTS counts a
+/// sphere exactly above a vertex on two triangles.
 struct PlanePoint {
   double u, v;
 };

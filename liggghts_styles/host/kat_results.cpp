@@ -22,8 +22,8 @@ std::vector<KatGrainResult> gather(const std::vector<KatGrainResult>& mine, MPI_
   for (int r = 1; r < ranks; ++r) offsets[r] = offsets[r - 1] + counts[r - 1];
   std::vector<KatGrainResult> all;
   if (rank == 0) all.resize((offsets.back() + counts.back()) / width);
-  MPI_Gatherv(mine.data(), count, MPI_DOUBLE, all.data(), counts.data(), offsets.data(), MPI_DOUBLE, 0,
-              world);
+  MPI_Gatherv(mine.data(), count, MPI_DOUBLE, all.data(), counts.data(), offsets.data(), MPI_DOUBLE,
+              0, world);
   std::sort(all.begin(), all.end(),
             [](const KatGrainResult& a, const KatGrainResult& b) { return a.id < b.id; });
   return all;

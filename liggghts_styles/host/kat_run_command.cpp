@@ -17,7 +17,8 @@ using namespace LAMMPS_NS;
 void kat_run_command(LAMMPS* lmp, int narg, char** arg) {
   auto* test = narg == 1 ? dynamic_cast<FixKatDrop*>(lmp->modify->find_fix_id(arg[0])) : nullptr;
   if (test == nullptr) {
-    const std::string given = narg == 1 ? std::string("'") + arg[0] + "'" : std::to_string(narg) + " words";
+    const std::string given =
+        narg == 1 ? std::string("'") + arg[0] + "'" : std::to_string(narg) + " words";
     const std::string message =
         "kat/run; given: " + given +
         "; allowed: the ID of a fix kat/drop defined above; to do: kat/run ID";

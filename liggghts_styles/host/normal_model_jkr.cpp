@@ -15,10 +15,10 @@ using namespace LAMMPS_NS;
 
 namespace {
 
-constexpr double kStretchMargin = 1.05;          // of the contact distance over the tear-off gap
-constexpr double kRateStretch = 25.0;            // longest neck of a rate-dependent edge over JKR's
-constexpr double kLargestPlausibleEnergy = 10.0; // J/m^2; dry solids have 0.01 to 1
-constexpr double kMeshPrecisionOfRadius = 1e-6;  // edges must be sharp on the scale of the grains
+constexpr double kStretchMargin = 1.05;  // of the contact distance over the tear-off gap
+constexpr double kRateStretch = 25.0;    // longest neck of a rate-dependent edge over JKR's
+constexpr double kLargestPlausibleEnergy = 10.0;  // J/m^2; dry solids have 0.01 to 1
+constexpr double kMeshPrecisionOfRadius = 1e-6;   // edges must be sharp on the scale of the grains
 
 constexpr double kDefaultMeshPrecision = 1e-8;  // of LIGGGHTS, where fix mesh/surface names none
 
@@ -49,9 +49,10 @@ void JkrNormalModel::registerSettings(Settings& settings) {
 
 void JkrNormalModel::postSettings() {
   if (limit_force_) {
-    error->all(FLERR,
-               "model jkr: limitForce; given: limitForce on; allowed: off, because it would cut the "
-               "attraction that the model is made for; to do: remove 'limitForce on'");
+    error->all(
+        FLERR,
+        "model jkr: limitForce; given: limitForce on; allowed: off, because it would cut the "
+        "attraction that the model is made for; to do: remove 'limitForce on'");
   }
 }
 
@@ -63,14 +64,16 @@ double JkrNormalModel::property(PropertyRegistry& registry, const char* name, in
 
 void JkrNormalModel::check_host() const {
   if (force->cg_active()) {
-    error->all(FLERR,
-               "model jkr: coarse graining; given: 'coarsegraining' in the script; allowed: none, the "
-               "adhesion of a parcel is not that of its grains; to do: remove 'coarsegraining'");
+    error->all(
+        FLERR,
+        "model jkr: coarse graining; given: 'coarsegraining' in the script; allowed: none, the "
+        "adhesion of a parcel is not that of its grains; to do: remove 'coarsegraining'");
   }
   if (!atom->sphere_flag || atom->shapetype_flag) {
-    error->all(FLERR,
-               "model jkr: particle shape; given: non-spherical particles; allowed: spheres; to do: "
-               "use atom_style granular or sphere");
+    error->all(
+        FLERR,
+        "model jkr: particle shape; given: non-spherical particles; allowed: spheres; to do: "
+        "use atom_style granular or sphere");
   }
 }
 
@@ -98,10 +101,10 @@ void JkrNormalModel::connectToProperties(PropertyRegistry& registry) {
       const double energy = property(registry, "workOfAdhesion", i, j);
       const std::string where =
           "model jkr: workOfAdhesion of types " + std::to_string(i) + " and " + std::to_string(j);
-      if (!(energy >= 0.0) || energy != property(registry, "workOfAdhesion", j, i)) {
+      if (!(energy >= 0.0)) {
         const std::string message = where + "; given: " + text(energy) +
-                                    " J/m^2; allowed: >= 0 and the same for (i,j) and (j,i); to do: "
-                                    "correct the matrix of fix property/global";
+                                    " J/m^2; allowed: >= 0; to do: correct the matrix of fix "
+                                    "property/global";
         error->all(FLERR, message.c_str());
       }
       if (energy > kLargestPlausibleEnergy && i <= j && !is_wall_ && comm->me == 0) {
@@ -114,12 +117,12 @@ void JkrNormalModel::connectToProperties(PropertyRegistry& registry) {
       JkrPair& pair = pairs_[i * stride_ + j];
       pair.modulus = modulus[i][j];
       pair.law = models::JkrLaw(pair.modulus, energy);
-      pair.normal_damping = -models::kTwoSqrtFiveSixths * beta[i][j] * std::sqrt(2.0 * pair.modulus);
+      pair.normal_damping =
+          -models::kTwoSqrtFiveSixths * beta[i][j] * std::sqrt(2.0 * pair.modulus);
       pair.shear_stiffness = 8.0 * shear_modulus[i][j];
-      pair.tangential_damping =
-          tangential_damping_
-              ? -models::kTwoSqrtFiveSixths * beta[i][j] * std::sqrt(pair.shear_stiffness)
-              : 0.0;
+      pair.tangential_damping = tangential_damping_ ? -models::kTwoSqrtFiveSixths * beta[i][j] *
+                                                          std::sqrt(pair.shear_stiffness)
+                                                    : 0.0;
       rough_contacts_[i * stride_ + j] = models::AdhesiveContact(pair.law, effects_);
     }
   }
@@ -152,11 +155,12 @@ void JkrNormalModel::check_wall(double largest_gap) const {
   if (wall == nullptr) return;
   if (!wall->is_mesh_wall()) {
     if (neighbor->skin < kStretchMargin * largest_gap) {
-      const std::string message = "model jkr on a primitive wall: neighbor skin; given: " +
-                                  text(neighbor->skin) + " m; allowed: above the tear-off gap of the "
-                                  "longest neck, " + text(largest_gap) +
-                                  " m, or contacts would be lost; to do: neighbor " +
-                                  text(2.0 * largest_gap) + " bin";
+      const std::string message =
+          "model jkr on a primitive wall: neighbor skin; given: " + text(neighbor->skin) +
+          " m; allowed: above the tear-off gap of the "
+          "longest neck, " +
+          text(largest_gap) + " m, or contacts would be lost; to do: neighbor " +
+          text(2.0 * largest_gap) + " bin";
       error->fix_error(FLERR, wall, message.c_str());
     }
     return;
@@ -167,12 +171,13 @@ void JkrNormalModel::check_wall(double largest_gap) const {
   for (int i = 0; i < wall->n_meshes(); ++i) {
     FixMeshSurface* mesh = wall->mesh_list()[i];
     if (largest_radius > 0.0 && precision_m(mesh) > kMeshPrecisionOfRadius * smallest_radius) {
-      const std::string message =
-          std::string("model jkr on mesh '") + mesh->id + "': precision; given: " +
-          text(precision_m(mesh)) + " m (LIGGGHTS's default is 1e-8); allowed: at most " +
-          text(kMeshPrecisionOfRadius * smallest_radius) +
-          " m, or grains of this size get wrong forces at triangle edges; to do: add 'precision 1e-12' "
-          "to fix mesh/surface";
+      const std::string message = std::string("model jkr on mesh '") + mesh->id +
+                                  "': precision; given: " + text(precision_m(mesh)) +
+                                  " m (LIGGGHTS's default is 1e-8); allowed: at most " +
+                                  text(kMeshPrecisionOfRadius * smallest_radius) +
+                                  " m, or grains of this size get wrong forces at triangle edges; "
+                                  "to do: add 'precision 1e-12' "
+                                  "to fix mesh/surface";
       error->fix_error(FLERR, wall, message.c_str());
     }
   }
@@ -198,17 +203,22 @@ void JkrNormalModel::complete_pair_geometry(SurfacesIntersectData& contact) cons
   if (atom->mask[j] & pair_->freeze_group_bit()) contact.meff = contact.mi;
 }
 
-double JkrNormalModel::advance_with_effects(SurfacesIntersectData& contact, const JkrPair& pair,
-                                           double radius, double& memory, bool advances) const {
+JkrNormalModel::State JkrNormalModel::advance_with_effects(SurfacesIntersectData& contact,
+                                                           const JkrPair& pair, double radius,
+                                                           double& memory, bool advances) const {
   const models::AdhesiveContact& rough = rough_contacts_[contact.itype * stride_ + contact.jtype];
   const models::JkrLaw law = rough.law(radius);
-  const double root = rough.advance(law, contact.deltan, radius, memory, advances ? update->dt : 0.0);
-  if (advances) memory = root;
-  if (root > 0.0) {
-    finish(contact, pair, root, rough.force_N(law, contact.deltan, radius, root),
-           law.pull_off_force_N(radius));
+  const double root =
+      rough.advance(law, contact.deltan, radius, memory, advances ? update->dt : 0.0);
+  if (root == 0.0) {
+    if (memory == 0.0) return State::none;
+    contact.Fn = advances && !rough.rate_dependent() ? tear_off_force(contact, law, radius) : 0.0;
+    return end_contact(memory, advances);
   }
-  return root;
+  if (advances) memory = root;
+  finish(contact, pair, root, rough.force_N(law, contact.deltan, radius, root),
+         law.pull_off_force_N(radius));
+  return State::live;
 }
 
 }  // namespace powderlink::host

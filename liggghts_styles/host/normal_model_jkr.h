@@ -3,8 +3,8 @@
 /// Normal model `jkr` of `pair_style gran` and `fix wall/gran`: physics of models/jkr_law.h and
 /// models/normal_damping.h, made rough or rate-dependent by `fix adhesion/effect`.
 ///
-/// Script:  pair_style gran model jkr [tangential ...] [rolling_friction ...] [tangential_damping on|off]
-/// Needs:   youngsModulus, poissonsRatio, coefficientRestitution as model hertz does, and
+/// Script:  pair_style gran model jkr [tangential ...] [rolling_friction ...] [tangential_damping
+/// on|off] Needs:   youngsModulus, poissonsRatio, coefficientRestitution as model hertz does, and
 ///          fix ID all property/global workOfAdhesion peratomtypepair N G11 G12 ...   [J/m^2]
 ///          (work of adhesion of the interface, not the surface energy of one solid).
 /// History: one value per contact, sqrt(contact radius); 0 is "not in contact".
@@ -48,40 +48,64 @@ class JkrNormalModel : protected LAMMPS_NS::Pointers {
     return contact.contact_history[history_offset_];
   }
 
-  /// Advances the contact and sets force, stiffnesses, damping and the load that limits friction.
-  /// \return sqrt(a), or 0 when there is no contact (any more); the history keeps it.
-  double advance(SurfacesIntersectData& contact) const {
+  enum class State { none, live, torn };
+
+  /// Advances the contact and sets force, stiffnesses, damping and the loads that limit friction.
+  /// \return none: no force; live: all of it; torn: only Fn, the rest of the step in which the neck
+  /// broke. Touch and tear-off make the force jump; weighting it with the part of the step that it
+  /// acted keeps the work second order in the time step.
+  State advance(SurfacesIntersectData& contact) const {
     const JkrPair& pair = pairs_[contact.itype * stride_ + contact.jtype];
-    const double radius =
-        contact.is_wall ? contact.radi : contact.radi * contact.radj / (contact.radi + contact.radj);
+    const double radius = contact.is_wall
+                              ? contact.radi
+                              : contact.radi * contact.radj / (contact.radi + contact.radj);
     double& memory = root(contact);
     const bool advances = contact.computeflag && contact.shearupdate;
     if (!effects_.empty()) return advance_with_effects(contact, pair, radius, memory, advances);
 
+    const double overlap = contact.deltan;
     double root;
+    double weight = 1.0;
     if (!pair.law.adhesive()) {
-      if (contact.deltan < 0.0) return end_contact(memory, advances);
-      root = std::sqrt(std::sqrt(radius * contact.deltan));
+      if (overlap < 0.0) return end_contact(memory, advances);
+      root = std::sqrt(std::sqrt(radius * overlap));
     } else if (memory > 0.0) {
-      if (pair.law.torn(contact.deltan, radius)) return end_contact(memory, advances);
-      root = pair.law.next_root(contact.deltan, radius, memory);
+      if (pair.law.torn(overlap, radius)) {
+        contact.Fn = advances ? tear_off_force(contact, pair.law, radius) : 0.0;
+        return end_contact(memory, advances);
+      }
+      root = pair.law.next_root(overlap, radius, memory);
     } else {
-      if (contact.deltan < 0.0) return 0.0;
-      root = pair.law.first_root(contact.deltan, radius);
+      if (overlap < 0.0) return State::none;
+      root = pair.law.first_root(overlap, radius);
+      const double travel = -contact.vn * update->dt;
+      if (advances && overlap < travel) weight = 0.5 + overlap / travel;
     }
     if (advances) memory = root;
-    finish(contact, pair, root, pair.law.force_N(root, radius), pair.law.pull_off_force_N(radius));
-    return root;
+    finish(contact, pair, root, weight * pair.law.force_N(root, radius),
+           pair.law.pull_off_force_N(radius));
+    return State::live;
   }
 
   /// Fills in what pair_gran_base.h computes for overlapping pairs only.
   void complete_pair_geometry(SurfacesIntersectData& contact) const;
 
  private:
-  static double end_contact(double& memory, bool advances) {
+  static State end_contact(double& memory, bool advances) {
     if (advances) memory = 0.0;
-    return 0.0;
+    return State::torn;
   }
+
+  /// The neck broke during the step: its force acted until then, and half a step is already paid.
+  double tear_off_force(const SurfacesIntersectData& contact, const models::JkrLaw& law,
+                        double radius) const {
+    const double travel = contact.vn * update->dt;
+    if (travel <= 0.0) return 0.0;
+    const double beyond = law.tear_off_overlap_m(radius) - contact.deltan;
+    const double acted = std::fmax(0.0, 1.0 - beyond / travel);
+    return (0.5 - acted) * kTearOffOverPullOff * law.pull_off_force_N(radius);
+  }
+  static constexpr double kTearOffOverPullOff = 5.0 / 9.0;
 
   void finish(SurfacesIntersectData& contact, const JkrPair& pair, double root, double force,
               double pull_off) const {
@@ -92,9 +116,10 @@ class JkrNormalModel : protected LAMMPS_NS::Pointers {
     contact.kn = 4.0 / 3.0 * pair.modulus * root * root;
     contact.Fn = force - contact.gamman * contact.vn;
     friction_load_ = models::friction_load_N(contact.Fn, pull_off);
+    rolling_load_ = models::friction_load_N(force, pull_off);
   }
 
-  double advance_with_effects(SurfacesIntersectData& contact, const JkrPair& pair, double radius,
+  State advance_with_effects(SurfacesIntersectData& contact, const JkrPair& pair, double radius,
                              double& memory, bool advances) const;
   void check_host() const;
   void check_wall(double largest_gap) const;
@@ -102,8 +127,10 @@ class JkrNormalModel : protected LAMMPS_NS::Pointers {
   double property(PropertyRegistry& registry, const char* name, int i, int j) const;
 
  public:
-  /// Normal load of Thornton's friction limit for the contact that advance() just did [N].
+  /// Loads of Thornton's friction limit for the contact that advance() just did [N]; as in
+  /// LIGGGHTS, rolling model cdt takes the load without the dashpot.
   double friction_load() const { return friction_load_; }
+  double rolling_load() const { return rolling_load_; }
 
  private:
   std::vector<JkrPair> pairs_;  ///< by (itype, jtype), LIGGGHTS types count from 1
@@ -115,6 +142,7 @@ class JkrNormalModel : protected LAMMPS_NS::Pointers {
   IContactHistorySetup* parent_;
   LAMMPS_NS::PairGran* pair_ = nullptr;  ///< the parent, if it is not a wall
   mutable double friction_load_ = 0.0;
+  mutable double rolling_load_ = 0.0;
   std::vector<const models::Effect*> effects_;
   std::vector<models::AdhesiveContact> rough_contacts_;  ///< as pairs_, only with effects
 };

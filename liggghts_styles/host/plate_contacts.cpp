@@ -12,10 +12,11 @@ using namespace LAMMPS_NS;
 PlateContacts::PlateContacts(LAMMPS* lmp, Fix* asker, const std::string& wall_id) {
   wall_ = dynamic_cast<FixWallGran*>(lmp->modify->find_fix_id(wall_id.c_str()));
   if (wall_ == nullptr || !wall_->contact_match("normal", "jkr")) {
-    const std::string message = "plate; given: fix '" + wall_id +
-                                "'; allowed: a fix wall/gran of model jkr (primitive or mesh) that the "
-                                "script defines before this line; to do: fix " + wall_id +
-                                " all wall/gran model jkr primitive type 2 zplane 0.0";
+    const std::string message =
+        "plate; given: fix '" + wall_id +
+        "'; allowed: a fix wall/gran of model jkr (primitive or mesh) that the "
+        "script defines before this line; to do: fix " +
+        wall_id + " all wall/gran model jkr primitive type 2 zplane 0.0";
     lmp->error->fix_error(FLERR, asker, message.c_str());
   }
   offset_ = wall_->get_history_offset(kRootHistory);
@@ -38,7 +39,8 @@ double PlateContacts::root(int i) const {
   for (int m = 0; m < wall_->n_meshes(); ++m) {
     FixContactHistoryMesh* history = wall_->mesh_list()[m]->contactHistory();
     for (int j = 0; j < history->nneighs(i); ++j) {
-      if (history->partner(i, j) >= 0) root = std::max(root, history->contacthistory(i, j)[offset_]);
+      if (history->partner(i, j) >= 0)
+        root = std::max(root, history->contacthistory(i, j)[offset_]);
     }
   }
   return root;

@@ -4,7 +4,8 @@
 ///
 /// The style tables are private, and LIGGGHTS has no call that adds to them. An explicit template
 /// instantiation may name private members (C++17, [temp.explicit]/12), so it can hand out a pointer
-/// to one: POWDERLINK_PRIVATE_MEMBER(Tag, Class, member, type) makes `object.*pointer_to(Tag())` valid.
+/// to one: POWDERLINK_PRIVATE_MEMBER(Tag, Class, member, type) makes `object.*pointer_to(Tag())`
+/// valid.
 #pragma once
 
 namespace powderlink::host {

@@ -19,10 +19,10 @@
 namespace powderlink::models {
 
 struct EffectParameter {
-  std::string name;  ///< with the unit as suffix, e.g. "tau_s"
-  double off;        ///< value at which the effect vanishes (infinity allowed)
-  double typical;    ///< start of a fit
-  double lower, upper;                      ///< bounds of a fit
+  std::string name;     ///< with the unit as suffix, e.g. "tau_s"
+  double off;           ///< value at which the effect vanishes (infinity allowed)
+  double typical;       ///< start of a fit
+  double lower, upper;  ///< bounds of a fit
   double plausible_lower, plausible_upper;  ///< outside: possible to fit, hard to believe
   std::string source;                       ///< of the plausible range
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file effect_registry.h
-/// All effects by name: what `powderlink effects` prints and what studies and scripts may switch on.
+/// All effects by name: what `powderlink effects` prints and what studies and scripts may switch
+/// on.
 #pragma once
 
 #include <functional>
@@ -41,7 +42,8 @@ inline const EffectEntry& find_effect(const std::string& name) {
 }
 
 /// Parameters must be given for all or for none (then the typical values are used).
-inline std::unique_ptr<Effect> make_effect(const std::string& name, std::vector<double> parameters) {
+inline std::unique_ptr<Effect> make_effect(const std::string& name,
+                                           std::vector<double> parameters) {
   const EffectEntry& entry = find_effect(name);
   const auto& wanted = entry.info->parameters;
   if (parameters.empty()) {
@@ -50,8 +52,9 @@ inline std::unique_ptr<Effect> make_effect(const std::string& name, std::vector<
   if (parameters.size() != wanted.size()) {
     std::string list;
     for (const EffectParameter& p : wanted) list += (list.empty() ? "" : " ") + p.name;
-    throw InvalidInput("effect " + name + ": number of parameters", std::to_string(parameters.size()),
-                       std::to_string(wanted.size()) + " (" + list + ")", "give all, in this order");
+    throw InvalidInput(
+        "effect " + name + ": number of parameters", std::to_string(parameters.size()),
+        std::to_string(wanted.size()) + " (" + list + ")", "give all, in this order");
   }
   return entry.make(parameters);
 }

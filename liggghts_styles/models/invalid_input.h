@@ -15,8 +15,8 @@ class InvalidInput : public std::invalid_argument {
   /// \param given        the value as the user wrote it
   /// \param allowed      range or list of valid values
   /// \param to_do        the next thing to type
-  InvalidInput(const std::string& what_failed, const std::string& given,
-               const std::string& allowed, const std::string& to_do)
+  InvalidInput(const std::string& what_failed, const std::string& given, const std::string& allowed,
+               const std::string& to_do)
       : std::invalid_argument(what_failed + "; given: " + given + "; allowed: " + allowed +
                               "; to do: " + to_do) {}
 };

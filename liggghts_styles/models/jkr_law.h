@@ -30,14 +30,17 @@ class JkrLaw {
  public:
   JkrLaw() = default;
   JkrLaw(double effective_modulus_Pa, double work_of_adhesion_J_m2)
-      : modulus_(effective_modulus_Pa), c_(std::sqrt(2.0 * kPi * work_of_adhesion_J_m2 / modulus_)) {}
+      : modulus_(effective_modulus_Pa),
+        c_(std::sqrt(2.0 * kPi * work_of_adhesion_J_m2 / modulus_)) {}
 
   double effective_modulus_Pa() const { return modulus_; }
   double work_of_adhesion_J_m2() const { return c_ * c_ * modulus_ / (2.0 * kPi); }
   bool adhesive() const { return c_ > 0.0; }
 
   /// delta at which the neck breaks under controlled displacement (negative) [m].
-  double tear_off_overlap_m(double radius) const { return -0.75 * c_ * std::cbrt(c_ * radius / 4.0); }
+  double tear_off_overlap_m(double radius) const {
+    return -0.75 * c_ * std::cbrt(c_ * radius / 4.0);
+  }
 
   /// True once the neck is broken. Free of roots: it is called for every live neck in every step.
   bool torn(double overlap, double radius) const {
@@ -48,7 +51,8 @@ class JkrLaw {
   /// sqrt(a) on the stable branch for a contact without memory (first touch, or placed there).
   double first_root(double overlap, double radius) const {
     // An upper bound of the root: both terms of the law are overestimated by the sum.
-    const double above = std::cbrt(c_ * radius) + std::sqrt(std::sqrt(std::fmax(overlap, 0.0) * radius));
+    const double above =
+        std::cbrt(c_ * radius) + std::sqrt(std::sqrt(std::fmax(overlap, 0.0) * radius));
     return next_root(overlap, radius, above);
   }
 
@@ -76,7 +80,8 @@ class JkrLaw {
     return modulus_ * cube * (4.0 / 3.0 * cube / radius - 2.0 * c_);
   }
 
-  /// Energy stored by contact and neck, zero for separated surfaces [J]: the integral of F d(delta).
+  /// Energy stored by contact and neck, zero for separated surfaces [J]: the integral of F
+  /// d(delta).
   double energy_J(double root, double radius) const {
     const double s2 = root * root;
     const double s4 = s2 * s2;
@@ -116,8 +121,8 @@ class JkrLaw {
   static constexpr double kPi = 3.14159265358979323846;
 
  private:
-  static constexpr int kMaxIterations = 60;                // near tear-off Newton only halves the error
-  static constexpr double kRelativeError = 1e-13;          // of sqrt(a)
+  static constexpr int kMaxIterations = 60;        // near tear-off Newton only halves the error
+  static constexpr double kRelativeError = 1e-13;  // of sqrt(a)
   double modulus_ = 1.0;
   double c_ = 0.0;  ///< sqrt(2 pi Gamma / E*) [m^(1/2)]
 };

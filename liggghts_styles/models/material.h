@@ -48,9 +48,8 @@ inline double effective_youngs_modulus_Pa(const Material& a, const Material& b) 
 }
 
 inline double effective_shear_modulus_Pa(const Material& a, const Material& b) {
-  return 1.0 /
-         (2.0 * (1.0 + a.poissons_ratio) * (2.0 - a.poissons_ratio) / a.youngs_modulus_Pa +
-          2.0 * (1.0 + b.poissons_ratio) * (2.0 - b.poissons_ratio) / b.youngs_modulus_Pa);
+  return 1.0 / (2.0 * (1.0 + a.poissons_ratio) * (2.0 - a.poissons_ratio) / a.youngs_modulus_Pa +
+                2.0 * (1.0 + b.poissons_ratio) * (2.0 - b.poissons_ratio) / b.youngs_modulus_Pa);
 }
 
 /// 1/R* = 1/R1 + 1/R2; for a plate R* is the sphere's own radius.

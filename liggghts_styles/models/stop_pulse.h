@@ -11,8 +11,8 @@
 ///
 /// Symbols: v impact speed [m/s], tau duration [s], e_p rebound of the plate [-].
 /// Validity: the plate is stiff and much heavier than the powder on it.
-/// Source: thesis of L. Pedrolli, Section 4.3; Johnson, Contact Mechanics, Section 11.4 (sin^(3/2)).
-/// Tests: tests/models/stop_pulse_test.cpp
+/// Source: thesis of L. Pedrolli, Section 4.3; Johnson, Contact Mechanics, Section 11.4
+/// (sin^(3/2)). Tests: tests/models/stop_pulse_test.cpp
 #pragma once
 
 #include <algorithm>
@@ -55,8 +55,9 @@ class StopPulse {
       area += 0.5 * dt * (decelerations[i] + decelerations[i - 1]);
     }
     if (!(area > 0.0)) {
-      throw InvalidInput("measured stop: integral of the deceleration", std::to_string(area) + " m/s",
-                         "> 0 (a pulse that slows the plate)", "check the sign of the column");
+      throw InvalidInput("measured stop: integral of the deceleration",
+                         std::to_string(area) + " m/s", "> 0 (a pulse that slows the plate)",
+                         "check the sign of the column");
     }
     StopPulse p(Shape::measured, times_s.back() - times_s.front(), rebound);
     const double t0 = times_s.front();
@@ -95,7 +96,8 @@ class StopPulse {
   }
 
  private:
-  StopPulse(Shape shape, double tau_s, double rebound) : shape_(shape), tau_(tau_s), rebound_(rebound) {
+  StopPulse(Shape shape, double tau_s, double rebound)
+      : shape_(shape), tau_(tau_s), rebound_(rebound) {
     if (shape != Shape::instant && !(tau_s > 0.0 && std::isfinite(tau_s))) {
       throw InvalidInput("stop duration", std::to_string(tau_s) + " s", "> 0 s",
                          "give tau in seconds, e.g. 1e-4, or stop instantly");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Registers `jkr` with every tangential and rolling model that it supports, and answers every other
-/// combination of LIGGGHTS's models by name instead of LIGGGHTS's "Unknown normal model".
+/// Registers `jkr` with every tangential and rolling model that it supports, and answers every
+/// other combination of LIGGGHTS's models by name instead of LIGGGHTS's "Unknown normal model".
 #include "plugin/contact_models.h"
 
 #include <string>
@@ -20,8 +20,12 @@ struct Named {
 };
 // Ids of the models in the LIGGGHTS 3.8 package (tangential_model_*.h and so on).
 constexpr Named kTangential[] = {{"off", 0}, {"no_history", 1}, {"history", 2}, {"tan_luding", 4}};
-constexpr Named kRolling[] = {{"off", 0}, {"cdt", 1}, {"epsd", 2}, {"epsd2", 3}, {"epsd3", 4}, {"luding", 6}};
-constexpr Named kCohesion[] = {{"off", 0}, {"sjkr", 1}, {"sjkr2", 2}, {"washino/capillary/viscous", 7},
+constexpr Named kRolling[] = {{"off", 0},   {"cdt", 1},   {"epsd", 2},
+                              {"epsd2", 3}, {"epsd3", 4}, {"luding", 6}};
+constexpr Named kCohesion[] = {{"off", 0},
+                               {"sjkr", 1},
+                               {"sjkr2", 2},
+                               {"washino/capillary/viscous", 7},
                                {"easo/capillary/viscous", 8}};
 constexpr Named kSurface[] = {{"default", 0}, {"multicontact", 2}, {"superquadric", 5}};
 
@@ -47,7 +51,8 @@ void refuse(LAMMPS* lmp, int64_t hash) {
   const std::string message =
       std::string("model jkr: combination of contact models; given: tangential ") +
       name_of(kTangential, hash, 6) + ", cohesion " + name_of(kCohesion, hash, 12) +
-      ", rolling_friction " + name_of(kRolling, hash, 18) + ", surface " + name_of(kSurface, hash, 24) +
+      ", rolling_friction " + name_of(kRolling, hash, 18) + ", surface " +
+      name_of(kSurface, hash, 24) +
       "; allowed: tangential off | no_history | history, rolling_friction off | cdt | epsd2, no "
       "cohesion model (jkr is one), surface default; to do: change the pair_style gran or fix "
       "wall/gran line";
@@ -83,7 +88,8 @@ bool supported(int tangential, int cohesion, int rolling, int surface) {
   return (tangential == lcm::TANGENTIAL_OFF || tangential == lcm::TANGENTIAL_NO_HISTORY ||
           tangential == lcm::TANGENTIAL_HISTORY) &&
          cohesion == lcm::COHESION_OFF && surface == lcm::SURFACE_DEFAULT &&
-         (rolling == lcm::ROLLING_OFF || rolling == lcm::ROLLING_CDT || rolling == lcm::ROLLING_EPSD2);
+         (rolling == lcm::ROLLING_OFF || rolling == lcm::ROLLING_CDT ||
+          rolling == lcm::ROLLING_EPSD2);
 }
 
 }  // namespace

@@ -14,13 +14,14 @@
 #include "host/fix_adhesion_effect.h"
 #include "host/fix_kat_drop.h"
 #include "host/kat_run_command.h"
-#include "plugin/contact_models.h"
 #include "host/private_access.h"
+#include "plugin/contact_models.h"
 
 using FixCreator = LAMMPS_NS::Fix* (*)(LAMMPS_NS::LAMMPS*, int, char**);
 using CommandCreator = void (*)(LAMMPS_NS::LAMMPS*, int, char**);
 POWDERLINK_PRIVATE_MEMBER(FixMap, LAMMPS_NS::Modify, fix_map, std::map<std::string, FixCreator>*)
-POWDERLINK_PRIVATE_MEMBER(CommandMap, LAMMPS_NS::Input, command_map, std::map<std::string, CommandCreator>*)
+POWDERLINK_PRIVATE_MEMBER(CommandMap, LAMMPS_NS::Input, command_map,
+                          std::map<std::string, CommandCreator>*)
 
 namespace powderlink::plugin {
 
@@ -47,7 +48,8 @@ void register_styles(LAMMPS* lmp) {
 const char* help() {
   return "\npowderlink styles (docs/reference.md):\n"
          "  pair_style gran / fix wall/gran   model jkr [tangential off|no_history|history]\n"
-         "                                    [rolling_friction off|cdt|epsd2] [tangential_damping on|off]\n"
+         "                                    [rolling_friction off|cdt|epsd2] [tangential_damping "
+         "on|off]\n"
          "  fix property/global               workOfAdhesion peratomtypepair N ...   [J/m^2]\n"
          "  fix kat/drop                      Kinetic Adhesion Test: settle, fall, stop, detach\n"
          "  fix adhesion/effect               one effect of 'powderlink effects'\n"

@@ -7,11 +7,10 @@
 ///
 /// Derivation: bridge of immersion H between plate and parabola, V = pi R (H^2 - h^2), Laplace
 /// pressure 2 gamma/H on the wetted area 2 pi R (H - h), contact angles zero.
-/// Symbols: gamma surface tension [N/m], h gap [m], h_r = kappa R rupture distance [m], V volume [m^3].
-/// Validity: small volume, quasi-static bridge (no viscous force), full wetting.
-/// Source: D. Maugis, J. Adhesion Sci. Technol. 1 (1987) 105; rupture: G. Lian et al.,
-/// J. Colloid Interface Sci. 161 (1993) 138.
-/// Tests: tests/models/effects_test.cpp
+/// Symbols: gamma surface tension [N/m], h gap [m], h_r = kappa R rupture distance [m], V volume
+/// [m^3]. Validity: small volume, quasi-static bridge (no viscous force), full wetting. Source: D.
+/// Maugis, J. Adhesion Sci. Technol. 1 (1987) 105; rupture: G. Lian et al., J. Colloid Interface
+/// Sci. 161 (1993) 138. Tests: tests/models/effects_test.cpp
 #ifdef POWDERLINK_EFFECT
 POWDERLINK_EFFECT(capillary_bridge, CapillaryBridge)
 #else
@@ -27,13 +26,13 @@ namespace powderlink::models {
 class CapillaryBridge : public Effect {
  public:
   static const EffectInfo& info() {
-    static const EffectInfo i{
-        "capillary_bridge",
-        "a liquid bridge with force and rupture distance",
-        "slope towards -2 at low Gamma",
-        {{"surface_tension_N_m", 0.0, 0.0728, 1e-4, 10.0, 0.02, 0.0728, "organic films to clean water"},
-         {"rupture_distance_over_R", 0.0, 0.05, 1e-4, 1.0, 1e-3, 0.3,
-          "adsorbed films to pendular bridges"}}};
+    static const EffectInfo i{"capillary_bridge",
+                              "a liquid bridge with force and rupture distance",
+                              "slope towards -2 at low Gamma",
+                              {{"surface_tension_N_m", 0.0, 0.0728, 1e-4, 10.0, 0.02, 0.0728,
+                                "organic films to clean water"},
+                               {"rupture_distance_over_R", 0.0, 0.05, 1e-4, 1.0, 1e-3, 0.3,
+                                "adsorbed films to pendular bridges"}}};
     return i;
   }
 

@@ -35,7 +35,8 @@ class RateDependentAdhesion : public Effect {
     return i;
   }
 
-  explicit RateDependentAdhesion(const std::vector<double>& p) : v_star_(p.at(0)), exponent_(p.at(1)) {
+  explicit RateDependentAdhesion(const std::vector<double>& p)
+      : v_star_(p.at(0)), exponent_(p.at(1)) {
     for (std::size_t i = 0; i < 2; ++i) require_range(info(), i, p[i]);
   }
 
