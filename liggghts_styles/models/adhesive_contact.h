@@ -15,6 +15,8 @@
 #include <cmath>
 #include <vector>
 
+#include <boost/math/tools/toms748_solve.hpp>
+
 #include "models/effect.h"
 #include "models/jkr_law.h"
 
@@ -24,7 +26,8 @@ class AdhesiveContact {
  public:
   AdhesiveContact() = default;
   /// \param effects switched on; not owned, must outlive this object
-  AdhesiveContact(const JkrLaw& smooth, const std::vector<const Effect*>& effects) : smooth_(smooth) {
+  AdhesiveContact(const JkrLaw& smooth, const std::vector<const Effect*>& effects)
+      : smooth_(smooth) {
     for (const Effect* e : effects) {
       effects_.push_back(e);
       rate_dependent_ = rate_dependent_ || e->rate_dependent();
@@ -41,12 +44,16 @@ class AdhesiveContact {
 
   bool rate_dependent() const { return rate_dependent_; }
 
-  /// New sqrt(a) at the given overlap, 0 when the contact ends; dt = 0 leaves a live edge in place.
+  /// New sqrt(a) at the given overlap, 0 when the contact ends; dt = 0 holds an edge that recedes.
   double advance(const JkrLaw& law, double overlap, double radius, double root, double dt) const {
     if (root == 0.0) return overlap >= 0.0 ? law.first_root(overlap, radius) : 0.0;
-    if (rate_dependent_) {
+    if (rate_dependent_ && law.adhesive()) {
       const double a = root * root;
-      if (law.energy_release_rate_J_m2(a, overlap, radius) > law.work_of_adhesion_J_m2()) {
+      // Deeper than a contact of this radius reaches, the edge is closed, not opened, however large
+      // the energy release rate.
+      const bool opened = a * a > overlap * radius;
+      if (opened &&
+          law.energy_release_rate_J_m2(a, overlap, radius) > law.work_of_adhesion_J_m2()) {
         return recede(law, overlap, radius, root, dt);
       }
       return law.torn(overlap, radius) ? root : law.first_root(overlap, radius);
@@ -73,50 +80,36 @@ class AdhesiveContact {
       for (const Effect* e : effects_) factor *= e->fracture_energy_factor(speed);
       return law.energy_release_rate_J_m2(a, overlap, radius) - gamma * factor;
     };
-    const double floor = kSmallestContactFraction * std::cbrt(kTouchSlope * gamma * radius * radius /
-                                                              law.effective_modulus_Pa());
-    // March down until the sign changes (the largest root is the physical one), then bisect.
+    const double floor = kSmallestContactFraction * std::cbrt(kTouchSlope * gamma * radius *
+                                                              radius / law.effective_modulus_Pa());
+    // March down until the sign changes (the largest root is the physical one).
     double high = a_old;
     double low = a_old;
+    double at_high = excess(a_old);
+    double at_low = at_high;
     double step = kFirstStepFraction * a_old;
-    do {
+    while (at_low > 0.0) {
+      if (low <= floor) return 0.0;
       high = low;
-      low = high - step;
+      at_high = at_low;
+      low = std::fmax(high - step, floor);
+      at_low = excess(low);
       step *= 2.0;
-      if (low <= floor) {
-        if (floor >= high || excess(floor) > 0.0) return 0.0;
-        low = floor;
-        break;
-      }
-    } while (excess(low) > 0.0);
-    return std::sqrt(bisect(excess, low, high));
-  }
-
-  template <class Function>
-  static double bisect(const Function& f, double low, double high) {
-    // Regula falsi with the Illinois weight: bracketed and superlinear.
-    double f_low = f(low);
-    double f_high = f(high);
-    double x = high;
-    int side = 0;
-    for (int i = 0; i < 60 && (high - low) > 1e-12 * high; ++i) {
-      x = (f_low * high - f_high * low) / (f_low - f_high);
-      const double f_x = f(x);
-      if (f_x > 0.0) {
-        if (side == 1) f_low *= 0.5;
-        high = x, f_high = f_x, side = 1;
-      } else {
-        if (side == -1) f_high *= 0.5;
-        low = x, f_low = f_x, side = -1;
-      }
-      if (f_x == 0.0) break;
     }
-    return x;
+    if (low == high) return root;  // not above Gamma by more than rounding
+    const auto close = [](double x, double y) { return y - x <= kRelativeError * y; };
+    boost::uintmax_t turns = kMaxTurns;
+    const auto edge =
+        boost::math::tools::toms748_solve(excess, low, high, at_low, at_high, close, turns);
+    return std::sqrt(0.5 * (edge.first + edge.second));
   }
 
-  static constexpr double kTouchSlope = 6.283185307179586;       // a at first touch: (2 pi Gamma R^2/E*)^(1/3)
-  static constexpr double kSmallestContactFraction = 0.02;       // of the first-touch radius
+  static constexpr double kTouchSlope =
+      6.283185307179586;  // a at first touch: (2 pi Gamma R^2/E*)^(1/3)
+  static constexpr double kSmallestContactFraction = 0.02;  // of the first-touch radius
   static constexpr double kFirstStepFraction = 1e-3;
+  static constexpr double kRelativeError = 1e-12;  // of a
+  static constexpr boost::uintmax_t kMaxTurns = 60;
   JkrLaw smooth_;
   std::vector<const Effect*> effects_;
   bool rate_dependent_ = false;

@@ -61,8 +61,8 @@ class Effect {
   static void require_range(const EffectInfo& info, std::size_t i, double value) {
     const EffectParameter& p = info.parameters.at(i);
     if (!(value >= p.lower && value <= p.upper) && value != p.off) {
-      throw InvalidInput("effect " + info.name + ": " + p.name, std::to_string(value),
-                         "between " + std::to_string(p.lower) + " and " + std::to_string(p.upper),
+      throw InvalidInput("effect " + info.name + ": " + p.name, number_text(value),
+                         "between " + number_text(p.lower) + " and " + number_text(p.upper),
                          "see 'powderlink effects'");
     }
   }

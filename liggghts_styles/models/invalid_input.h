@@ -4,10 +4,18 @@
 /// Its text always has four parts, so that a message can be acted on without reading the source.
 #pragma once
 
+#include <sstream>
 #include <stdexcept>
 #include <string>
 
 namespace powderlink {
+
+/// A number as a user would write it: 1e-09, not 0.000000.
+inline std::string number_text(double value) {
+  std::ostringstream text;
+  text << value;
+  return text.str();
+}
 
 class InvalidInput : public std::invalid_argument {
  public:

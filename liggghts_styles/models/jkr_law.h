@@ -58,20 +58,11 @@ class JkrLaw {
 
   /// sqrt(a) on the stable branch, from the value of the step before. Not to be called once torn().
   double next_root(double overlap, double radius, double root) const {
-    const double inv_radius = 1.0 / radius;
-    const double four_inv_radius = 4.0 * inv_radius;
-    for (int i = 0; i < kMaxIterations; ++i) {
-      const double cube = root * root * root;
-      const double slope = four_inv_radius * cube - c_;
-      const double step = (cube * root * inv_radius - c_ * root - overlap) / slope;
-      if (!(slope > 0.0)) return std::cbrt(c_ * radius / 4.0);  // at the tear-off point itself
-      // Newton's error after this step is |f''/(2 f')| step^2; near tear-off f' vanishes and the
-      // same estimate asks for more turns.
-      const double error_times_slope = 6.0 * inv_radius * root * root * step * step;
-      root -= step;
-      if (error_times_slope <= kRelativeError * root * slope) break;
-    }
-    return root;
+    if (newton(overlap, radius, root)) return root;
+    // A neck that was at the tear-off point itself, where Newton's slope vanishes: start from
+    // above.
+    root = upper_bound(overlap, radius);
+    return newton(overlap, radius, root) ? root : std::cbrt(c_ * radius / 4.0);
   }
 
   /// Normal force [N] from s = sqrt(a); positive pushes apart.
@@ -121,6 +112,29 @@ class JkrLaw {
   static constexpr double kPi = 3.14159265358979323846;
 
  private:
+  /// Above the root on the stable branch: either term of the law alone gives less.
+  double upper_bound(double overlap, double radius) const {
+    return std::cbrt(c_ * radius) + std::sqrt(std::sqrt(std::fmax(overlap, 0.0) * radius));
+  }
+
+  /// Moves root to the solution; false when the slope vanishes or the turns do not suffice.
+  bool newton(double overlap, double radius, double& root) const {
+    const double inv_radius = 1.0 / radius;
+    const double four_inv_radius = 4.0 * inv_radius;
+    for (int i = 0; i < kMaxIterations; ++i) {
+      const double cube = root * root * root;
+      const double slope = four_inv_radius * cube - c_;
+      if (!(slope > 0.0)) return false;
+      const double step = (cube * root * inv_radius - c_ * root - overlap) / slope;
+      // Newton's error after this step is |f''/(2 f')| step^2; near tear-off f' vanishes and the
+      // same estimate asks for more turns.
+      const double error_times_slope = 6.0 * inv_radius * root * root * step * step;
+      root -= step;
+      if (error_times_slope <= kRelativeError * root * slope) return true;
+    }
+    return false;
+  }
+
   static constexpr int kMaxIterations = 60;        // near tear-off Newton only halves the error
   static constexpr double kRelativeError = 1e-13;  // of sqrt(a)
   double modulus_ = 1.0;

@@ -27,7 +27,7 @@ struct Material {
   void validate() const {
     const auto require = [this](bool ok, const char* key, double value, const char* allowed) {
       if (!ok) {
-        throw InvalidInput("material '" + name + "': " + key, std::to_string(value), allowed,
+        throw InvalidInput("material '" + name + "': " + key, number_text(value), allowed,
                            std::string("give ") + key + " in SI units");
       }
     };

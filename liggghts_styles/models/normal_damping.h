@@ -26,7 +26,7 @@ inline constexpr double kTwoSqrtFiveSixths = 1.82574185835055371;
 /// beta of the restitution coefficient e, 0 < e <= 1.
 inline double damping_ratio(double restitution) {
   if (!(restitution > 0.0 && restitution <= 1.0)) {
-    throw InvalidInput("restitution coefficient", std::to_string(restitution), "0 < e <= 1",
+    throw InvalidInput("restitution coefficient", number_text(restitution), "0 < e <= 1",
                        "use 1 for no damping");
   }
   const double log_e = std::log(restitution);

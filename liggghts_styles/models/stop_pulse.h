@@ -49,14 +49,14 @@ class StopPulse {
       const double dt = times_s[i] - times_s[i - 1];
       if (!(dt > 0.0)) {
         throw InvalidInput("measured stop: time of row " + std::to_string(i + 1),
-                           std::to_string(times_s[i]) + " s", "strictly increasing times",
+                           number_text(times_s[i]) + " s", "strictly increasing times",
                            "sort the rows and remove doubles");
       }
       area += 0.5 * dt * (decelerations[i] + decelerations[i - 1]);
     }
-    if (!(area > 0.0)) {
-      throw InvalidInput("measured stop: integral of the deceleration",
-                         std::to_string(area) + " m/s", "> 0 (a pulse that slows the plate)",
+    if (!(area > 0.0 && std::isfinite(area))) {
+      throw InvalidInput("measured stop: integral of the deceleration", number_text(area) + " m/s",
+                         "> 0 and finite (a pulse that slows the plate)",
                          "check the sign of the column");
     }
     StopPulse p(Shape::measured, times_s.back() - times_s.front(), rebound);
@@ -99,11 +99,11 @@ class StopPulse {
   StopPulse(Shape shape, double tau_s, double rebound)
       : shape_(shape), tau_(tau_s), rebound_(rebound) {
     if (shape != Shape::instant && !(tau_s > 0.0 && std::isfinite(tau_s))) {
-      throw InvalidInput("stop duration", std::to_string(tau_s) + " s", "> 0 s",
+      throw InvalidInput("stop duration", number_text(tau_s) + " s", "> 0 s",
                          "give tau in seconds, e.g. 1e-4, or stop instantly");
     }
     if (!(rebound >= 0.0 && rebound <= 1.0)) {
-      throw InvalidInput("plate rebound", std::to_string(rebound), "0 <= e_p <= 1",
+      throw InvalidInput("plate rebound", number_text(rebound), "0 <= e_p <= 1",
                          "0 is a plate that stays on the anvil");
     }
   }

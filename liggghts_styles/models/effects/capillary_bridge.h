@@ -41,24 +41,26 @@ class CapillaryBridge : public Effect {
   }
 
   double gap_force_N(double gap, double radius) const override {
-    if (gap > range_m(radius)) return 0.0;
+    if (off() || gap > range_m(radius)) return 0.0;
     const double h = std::fmax(gap, 0.0);
     return -4.0 * kPi * radius * tension_ * (1.0 - h / std::sqrt(h * h + volume_over_pi_R(radius)));
   }
   double gap_energy_J(double gap, double radius) const override {
     const double end = range_m(radius);
-    if (gap > end) return 0.0;
+    if (off() || gap > end) return 0.0;
     const double h = std::fmax(gap, 0.0);
     const double inside = std::fmin(gap, 0.0);  // constant force while the solids overlap
     const double w = volume_over_pi_R(radius);
     return -4.0 * kPi * radius * tension_ *
            (end - std::sqrt(end * end + w) - (h - std::sqrt(h * h + w)) - inside);
   }
-  double range_m(double radius) const override { return kappa_ * radius; }
+  double range_m(double radius) const override { return off() ? 0.0 : kappa_ * radius; }
   bool formed_by_touch() const override { return true; }
 
  private:
   static constexpr double kPi = 3.14159265358979323846;
+  /// No tension or no liquid: no bridge, not one of zero length.
+  bool off() const { return tension_ == 0.0 || kappa_ == 0.0; }
   double volume_over_pi_R(double radius) const {
     const double end = range_m(radius);
     return end * end * end / (kPi * radius);

@@ -32,9 +32,9 @@ class FiniteStopPulse : public Effect {
     return i;
   }
 
-  explicit FiniteStopPulse(const std::vector<double>& p)
-      : pulse_(p.at(0) > 0.0 ? StopPulse::half_sine(p[0], p.at(1)) : StopPulse::instant(p.at(1))) {
-    for (std::size_t i = 0; i < 2; ++i) require_range(info(), i, p[i]);
+  explicit FiniteStopPulse(const std::vector<double>& p) {
+    for (std::size_t i = 0; i < 2; ++i) require_range(info(), i, p.at(i));
+    pulse_ = p[0] > 0.0 ? StopPulse::half_sine(p[0], p[1]) : StopPulse::instant(p[1]);
   }
 
   std::optional<StopPulse> stop() const override { return pulse_; }

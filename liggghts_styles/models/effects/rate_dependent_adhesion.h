@@ -40,9 +40,10 @@ class RateDependentAdhesion : public Effect {
     for (std::size_t i = 0; i < 2; ++i) require_range(info(), i, p[i]);
   }
 
-  bool rate_dependent() const override { return std::isfinite(v_star_); }
+  bool rate_dependent() const override { return std::isfinite(v_star_) && exponent_ > 0.0; }
   double fracture_energy_factor(double crack_speed) const override {
-    return crack_speed > 0.0 ? 1.0 + std::pow(crack_speed / v_star_, exponent_) : 1.0;
+    if (!rate_dependent() || !(crack_speed > 0.0)) return 1.0;
+    return 1.0 + std::pow(crack_speed / v_star_, exponent_);
   }
 
  private:
