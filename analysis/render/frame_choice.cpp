@@ -10,6 +10,8 @@
 namespace powderlink::render {
 namespace {
 
+constexpr double kGravity = 9.81;
+
 std::map<long, bool> attached_by_id(const State& state) {
   std::map<long, bool> flags;
   for (const Grain& grain : state.grains) flags[grain.id] = grain.attached;
@@ -40,8 +42,38 @@ std::size_t State::attached() const {
 
 State read_state(const RunDirectory& run, std::size_t index, const std::string& fix) {
   const DumpFile& file = run.particles.at(index);
-  return {file.step, 1e6 * plate_height_m(run, file.step),
+  const double clock = run.time_step_s ? run.time_s(file.step) : static_cast<double>(file.step);
+  return {file.step, clock, 0.0, 1e6 * plate_height_m(run, file.step),
           grains_of(read_particles(file.path, fix))};
+}
+
+State fly(const State& last, double duration_s) {
+  State later = last;
+  later.clock += duration_s;
+  later.flight_s += duration_s;
+  for (Grain& grain : later.grains) {
+    if (grain.attached) continue;
+    grain.z_um -= 1e6 * duration_s * (grain.speed_m_s + 0.5 * kGravity * duration_s);
+    grain.speed_m_s += kGravity * duration_s;
+  }
+  return later;
+}
+
+double flight_time_s(const State& last, const State& before, const ViewWindow& window,
+                     double share) {
+  ViewWindow bottomless = window;
+  bottomless.depth_um = HUGE_VAL;
+  double shortest = HUGE_VAL;
+  for (const Grain& grain : grains_in(last, before, bottomless)) {
+    if (grain.attached) continue;
+    const double left_m =
+        1e-6 * (share * window.depth_um - (last.plate_z_um - grain.z_um + 0.5 * grain.diameter_um));
+    const double v = std::max(0.0, grain.speed_m_s);
+    const double time =
+        left_m <= 0.0 ? 0.0 : (std::sqrt(v * v + 2.0 * kGravity * left_m) - v) / kGravity;
+    shortest = std::min(shortest, time);
+  }
+  return std::isfinite(shortest) ? shortest : 0.0;
 }
 
 std::size_t state_before(const std::vector<State>& states) {
@@ -53,7 +85,7 @@ std::size_t state_before(const std::vector<State>& states) {
 }
 
 ViewWindow choose_window(const State& before, const State& end, double columns,
-                         double depth_over_width) {
+                         double breadth_over_width, double depth_over_width) {
   ViewWindow window;
   if (before.grains.empty()) return window;
   const Extent x = extent(before.grains, [](const Grain& g) { return g.x_um; });
@@ -61,7 +93,7 @@ ViewWindow choose_window(const State& before, const State& end, double columns,
   const double pitch = std::sqrt(std::max(x.length() * y.length(), 1e-12) /
                                  static_cast<double>(before.grains.size()));
   window.width_um = std::min(columns * pitch, x.length());
-  window.breadth_um = std::min(0.6 * columns * pitch, y.length());
+  window.breadth_um = std::min(breadth_over_width * columns * pitch, y.length());
   // A row or a few grains: keep room for the largest one.
   double largest = 0.0;
   for (const Grain& grain : before.grains) largest = std::max(largest, grain.diameter_um);
@@ -87,8 +119,8 @@ ViewWindow choose_window(const State& before, const State& end, double columns,
         (flag != flags.end() && flag->second ? stay : leave) += 1.0;
       }
       // Both kinds count; the middle of the plate wins between equals.
-      const double score = std::sqrt(stay * leave) + 1e-3 * (stay + leave) -
-                           1e-3 * std::hypot(u - 0.5, v - 0.5);
+      const double score =
+          std::sqrt(stay * leave) + 1e-3 * (stay + leave) - 1e-3 * std::hypot(u - 0.5, v - 0.5);
       if (score > best) {
         best = score;
         window = candidate;
@@ -137,14 +169,13 @@ std::vector<std::size_t> choose_states(const std::vector<State>& states, const V
   }
   if (count <= 1) return {last};
   std::vector<std::size_t> chosen;
-  const double start = static_cast<double>(states[first].step);
-  const double span = static_cast<double>(states[last].step) - start;
+  const double start = states[first].clock;
+  const double span = states[last].clock - start;
   for (std::size_t k = 0; k < count; ++k) {
     const double wanted = start + span * static_cast<double>(k) / static_cast<double>(count - 1);
     std::size_t nearest = first;
     for (std::size_t i = first; i <= last; ++i) {
-      if (std::abs(static_cast<double>(states[i].step) - wanted) <
-          std::abs(static_cast<double>(states[nearest].step) - wanted)) {
+      if (std::abs(states[i].clock - wanted) < std::abs(states[nearest].clock - wanted)) {
         nearest = i;
       }
     }

@@ -24,8 +24,8 @@ EGLDisplay surfaceless() {
 EGLDisplay first_device() {
   const auto get = reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(
       eglGetProcAddress("eglGetPlatformDisplayEXT"));
-  const auto list = reinterpret_cast<PFNEGLQUERYDEVICESEXTPROC>(
-      eglGetProcAddress("eglQueryDevicesEXT"));
+  const auto list =
+      reinterpret_cast<PFNEGLQUERYDEVICESEXTPROC>(eglGetProcAddress("eglQueryDevicesEXT"));
   EGLDeviceEXT device = nullptr;
   EGLint count = 0;
   if (get == nullptr || list == nullptr || list(1, &device, &count) == EGL_FALSE || count < 1) {
@@ -48,10 +48,17 @@ struct GlContext::Handles {
       return false;
     }
     display = candidate;
-    const std::array<EGLint, 11> wanted = {EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE,
-                                           EGL_OPENGL_BIT,   EGL_RED_SIZE,    8,
-                                           EGL_GREEN_SIZE,   8,               EGL_BLUE_SIZE,
-                                           8,                EGL_NONE};
+    const std::array<EGLint, 11> wanted = {EGL_SURFACE_TYPE,
+                                           EGL_PBUFFER_BIT,
+                                           EGL_RENDERABLE_TYPE,
+                                           EGL_OPENGL_BIT,
+                                           EGL_RED_SIZE,
+                                           8,
+                                           EGL_GREEN_SIZE,
+                                           8,
+                                           EGL_BLUE_SIZE,
+                                           8,
+                                           EGL_NONE};
     const std::array<EGLint, 5> version = {EGL_CONTEXT_MAJOR_VERSION, 3, EGL_CONTEXT_MINOR_VERSION,
                                            2, EGL_NONE};
     const std::array<EGLint, 5> tiny = {EGL_WIDTH, 16, EGL_HEIGHT, 16, EGL_NONE};
@@ -75,7 +82,7 @@ struct GlContext::Handles {
     eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
     if (surface != EGL_NO_SURFACE) eglDestroySurface(display, surface);
     if (context != EGL_NO_CONTEXT) eglDestroyContext(display, context);
-    eglTerminate(display);
+    // No eglTerminate: a display is one per process, and Mesa forgets memory when it is unloaded.
     display = EGL_NO_DISPLAY;
     context = EGL_NO_CONTEXT;
     surface = EGL_NO_SURFACE;

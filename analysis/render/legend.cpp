@@ -74,8 +74,8 @@ void draw_colour_key(vtkRenderer* layer, Pixel left, double width_px, double spe
   for (int i = 0; i <= ticks; ++i) {
     const double x = ramp + ramp_width * i / ticks;
     draw_line(layer, {x, left.y - 0.25 * text_px}, {x, left.y}, 0.08 * text_px);
-    draw_text(layer, fmt::format("{:g}", speed_scale * i / ticks),
-              {x, left.y - 1.35 * text_px}, 0.88 * text_px, Align::centre);
+    draw_text(layer, fmt::format("{:g}", speed_scale * i / ticks), {x, left.y - 1.35 * text_px},
+              0.88 * text_px, Align::centre);
   }
   draw_text(layer, "detached: speed away from the plate (m/s)",
             {ramp + 0.5 * ramp_width, left.y + 1.35 * height}, text_px, Align::centre);

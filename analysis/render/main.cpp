@@ -2,7 +2,7 @@
 /// \file main.cpp
 /// powderlink-render series|png|table: what a drop test left behind, to look at.
 #include <unistd.h>
-#include <vtkObject.h>
+#include <vtkLogger.h>
 
 #include <CLI/CLI.hpp>
 #include <chrono>
@@ -28,8 +28,7 @@ class Meter {
   void operator()(std::size_t done, std::size_t all) {
     const std::chrono::duration<double> since = std::chrono::steady_clock::now() - start_;
     if (isatty(STDERR_FILENO) == 0 || since.count() < 2.0) return;
-    const double left =
-        since.count() * static_cast<double>(all - done) / static_cast<double>(done);
+    const double left = since.count() * static_cast<double>(all - done) / static_cast<double>(done);
     std::fprintf(stderr, "\rpowderlink-render: %zu of %zu states, %.0f s left ", done, all, left);
     if (done == all) std::fputc('\n', stderr);
   }
@@ -70,6 +69,8 @@ int run(int argc, char** argv) {
                      ->capture_default_str();
   time->excludes(last)->excludes(frames);
   last->excludes(frames);
+  png->add_option("--flight", arguments.picture.flight_s,
+                  "free flight after the last state [s]; default: as long as the picture needs");
   png->add_option("--window", arguments.picture.window_um, "width of the part shown [um]");
   png->add_option("--width", arguments.picture.width_px, "width of the picture [pixels]")
       ->capture_default_str();
@@ -105,7 +106,8 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   try {
-    vtkObject::GlobalWarningDisplayOff();
+    // Errors still reach the observers of the readers; the user gets one message.
+    vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
     return run(argc, argv);
   } catch (const std::exception& error) {
     std::cerr << "powderlink-render: " << error.what() << '\n';

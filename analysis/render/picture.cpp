@@ -27,6 +27,9 @@ namespace {
 
 constexpr int kOversampling = 2;  ///< drawn larger and averaged: smooth edges without hardware
 
+constexpr double kFallShare = 0.7;  ///< of the depth, for the fastest grain of the last picture
+constexpr int kFlightStates = 24;
+
 /// What is drawn: states in order, and the one that says where the grains sat.
 struct Content {
   State before;
@@ -48,6 +51,9 @@ void check(const PictureOptions& options) {
   }
   if (options.window_um && !(*options.window_um > 0.0 && std::isfinite(*options.window_um))) {
     refuse("--window", std::to_string(*options.window_um), "um above 0");
+  }
+  if (options.flight_s && !(*options.flight_s >= 0.0 && std::isfinite(*options.flight_s))) {
+    refuse("--flight", std::to_string(*options.flight_s), "seconds, 0 for none");
   }
 }
 
@@ -82,14 +88,25 @@ Content choose(const RunDirectory& run, const PictureOptions& options) {
                        "at least one particle", "run the drop test again");
   }
   const bool single = options.last || options.time_s || options.frames == 1;
-  const double columns = single ? 19.0 : (options.frames == 2 ? 14.0 : 10.0);
+  const double columns = single ? 19.0 : (options.frames == 2 ? 14.0 : 11.0);
   const double depth = single ? 0.48 : 1.15;
-  content.window = choose_window(states[before], states.back(), columns, depth);
+  content.window =
+      choose_window(states[before], states.back(), columns, single ? 0.65 : 1.0, depth);
   if (options.window_um) {
     const double factor = *options.window_um / content.window.width_um;
     content.window.width_um *= factor;
     content.window.breadth_um *= factor;
     content.window.depth_um *= factor;
+  }
+  // Seconds of flight need physical times; a single dumped state is shown as it is.
+  if (run.time_step_s && !options.last && !options.time_s) {
+    const State last = states.back();
+    const double flight = options.flight_s
+                              ? *options.flight_s
+                              : flight_time_s(last, states[before], content.window, kFallShare);
+    for (int i = 1; flight > 0.0 && i <= kFlightStates; ++i) {
+      states.push_back(fly(last, flight * i / kFlightStates));
+    }
   }
   std::vector<std::size_t> chosen;
   if (options.last) {
@@ -101,7 +118,7 @@ Content choose(const RunDirectory& run, const PictureOptions& options) {
   }
   double fastest = 0.0;
   for (const std::size_t i : chosen) {
-    for (const Grain& grain : states[i].grains) {
+    for (const Grain& grain : grains_in(states[i], states[before], content.window)) {
       if (!grain.attached) fastest = std::max(fastest, grain.speed_m_s);
     }
     content.shown.push_back(states[i]);
@@ -131,12 +148,17 @@ std::string title_of(const RunDirectory& run, const PictureOptions& options) {
   return title;
 }
 
+std::string time_text(double time_s) {
+  if (time_s < 0.9995e-3) return fmt::format("{:.3g} \u00b5s", 1e6 * time_s);
+  return fmt::format("{:.3g} ms", 1e3 * time_s);
+}
+
 std::string caption_of(const RunDirectory& run, const State& state, std::size_t index,
                        std::size_t count) {
   std::string caption;
   if (count > 1) caption = fmt::format("({})  ", static_cast<char>('a' + index));
   if (run.time_step_s) {
-    return caption + fmt::format("~t = {:.4g} \u00b5s", 1e6 * run.time_s(state.step));
+    return caption + "~t = " + time_text(state.clock);
   }
   return caption + fmt::format("step {}", state.step);
 }
@@ -170,11 +192,13 @@ void write_picture(const RunDirectory& run, const std::filesystem::path& png,
   const double width = kOversampling * options.width_px;
   const double text = 0.0155 * width;
   const double panel_width = width / static_cast<double>(content.columns());
-  const double view = content.window.width_um > 0.0
-                          ? content.window.depth_um / content.window.width_um
-                          : 1.0;
+  const double view =
+      content.window.width_um > 0.0 ? content.window.depth_um / content.window.width_um : 1.0;
   const double panel_height = panel_width * std::min(1.2, view + 0.2);
-  const double bottom = 5.6 * text, captions = 3.3 * text, top = 3.2 * text;
+  const bool flies = std::any_of(content.shown.begin(), content.shown.end(),
+                                 [](const State& state) { return state.flight_s > 0.0; });
+  const double captions = (flies ? 4.5 : 3.3) * text;
+  const double bottom = 5.6 * text, top = 3.2 * text;
   const double height = std::ceil((bottom + captions + panel_height + top) / 2.0) * 2.0;
 
   const GlContext gl;
@@ -197,19 +221,23 @@ void write_picture(const RunDirectory& run, const std::filesystem::path& png,
     scenes.push_back(scene);
     const double middle = left + 0.5 * panel_width;
     draw_text(layer, caption_of(run, state, i, content.columns()),
-              {middle, bottom + 1.75 * text}, text, Align::centre, true);
+              {middle, bottom + captions - 1.55 * text}, text, Align::centre, true);
     draw_text(layer,
               fmt::format("{} attached, {} detached", state.attached(),
                           state.grains.size() - state.attached()),
-              {middle, bottom + 0.35 * text}, 0.9 * text, Align::centre);
+              {middle, bottom + captions - 2.95 * text}, 0.9 * text, Align::centre);
+    if (state.flight_s > 0.0) {
+      draw_text(layer, "free flight since " + time_text(state.clock - state.flight_s),
+                {middle, bottom + captions - 4.25 * text}, 0.8 * text, Align::centre);
+    }
   }
   window->AddRenderer(layer);
   draw_text(layer, title_of(run, options), {0.5 * width, height - 2.1 * text}, 1.25 * text,
             Align::centre, true);
   draw_colour_key(layer, {0.05 * width, 2.0 * text}, 0.58 * width, content.speed_scale, text);
   draw_scale_bar(layer, {0.95 * width, 2.3 * text},
-                 pixels_per_um(scenes.front(), content.shown.front(), content.window),
-                 0.16 * width, text);
+                 pixels_per_um(scenes.front(), content.shown.front(), content.window), 0.16 * width,
+                 text);
   window->Render();
   write_file(png, png_of(window));
 }

@@ -29,7 +29,8 @@ std::vector<DumpFile> list_dumps(const fs::path& folder, const std::regex& name)
 }
 
 /// A positive number, or nothing when the key is absent or null.
-std::optional<double> positive(const nlohmann::json& object, const char* key, const fs::path& file) {
+std::optional<double> positive(const nlohmann::json& object, const char* key,
+                               const fs::path& file) {
   if (!object.contains(key) || object[key].is_null()) return {};
   const bool is_number = object[key].is_number();
   const double value = is_number ? object[key].get<double>() : 0.0;
@@ -59,10 +60,11 @@ RunResults read_results(const fs::path& run) {
                                    speed.is_null() ? 0.0 : speed.get<double>()});
     }
   } catch (const nlohmann::json::exception& error) {
-    throw InvalidInput("reading " + file.string(), error.what(),
-                       "JSON with critical_diameter_m, impact_velocity_m_s, time_step_s and particles "
-                       "(each with diameter_m, attached, speed_m_s)",
-                       "run the drop test again");
+    throw InvalidInput(
+        "reading " + file.string(), error.what(),
+        "JSON with critical_diameter_m, impact_velocity_m_s, time_step_s and particles "
+        "(each with diameter_m, attached, speed_m_s)",
+        "run the drop test again");
   }
   return results;
 }
@@ -81,10 +83,11 @@ RunDirectory open_run(const fs::path& run, std::optional<double> time_step_s) {
   found.particles = list_dumps(run / "post", std::regex("particles_([0-9]{1,18})\\.vtp"));
   found.plate = list_dumps(run / "post", std::regex("plate_([0-9]{1,18})\\.(vtp|vtk|stl)"));
   if (found.particles.empty()) {
-    throw InvalidInput("opening the run", run.string() + " without post/particles_<step>.vtp",
-                       "at least one file of `dump custom/vtk`",
-                       "add to the input script: dump vtk all custom/vtk 1000 post/particles_*.vtp id "
-                       "type radius x y z vx vy vz fx fy fz f_kat[1] f_kat[2] f_kat[3]");
+    throw InvalidInput(
+        "opening the run", run.string() + " without post/particles_<step>.vtp",
+        "at least one file of `dump custom/vtk`",
+        "add to the input script: dump vtk all custom/vtk 1000 post/particles_*.vtp id "
+        "type radius x y z vx vy vz fx fy fz f_kat[1] f_kat[2] f_kat[3]");
   }
   found.results = read_results(run);
   found.time_step_s = time_step_s ? time_step_s : found.results.time_step_s;

@@ -137,7 +137,7 @@ vtkSmartPointer<vtkActor> plate_actor(const State& state, const ViewWindow& wind
   actor->SetMapper(mapper);
   auto* look = actor->GetProperty();
   look->SetColor(kPlate[0], kPlate[1], kPlate[2]);
-  look->SetAmbient(0.62);
+  look->SetAmbient(0.70);
   look->SetDiffuse(0.45);
   look->SetSpecular(0.25);
   look->SetSpecularPower(12.0);
@@ -157,7 +157,7 @@ void add_light(vtkRenderer* scene, double x, double y, double z, double intensit
 }
 
 void place_camera(vtkRenderer* scene, const State& state, const ViewWindow& window, double aspect) {
-  const double margin = 0.08 * window.width_um;
+  const double margin = 0.11 * window.width_um;
   const double angle = vtkMath::RadiansFromDegrees(kBelowPlateDeg);
   const double thickness = plate_thickness_um(window);
   // What has to fit: the near, wider edge of the plate, and from its far edge down to the depth.

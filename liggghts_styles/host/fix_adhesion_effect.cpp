@@ -3,8 +3,8 @@
 
 #include <cstring>
 
-#include "error.h"
 #include "force.h"
+#include "host/stop_all.h"
 #include "models/effect_registry.h"
 #include "modify.h"
 
@@ -14,17 +14,16 @@ using namespace LAMMPS_NS;
 
 FixAdhesionEffect::FixAdhesionEffect(LAMMPS* lmp, int narg, char** arg) : Fix(lmp, narg, arg) {
   if (narg < 4) {
-    error->fix_error(
-        FLERR, this,
-        "no effect named; given: no argument; allowed: a name of 'powderlink effects'; "
-        "to do: fix ID all adhesion/effect NAME [parameters]");
+    stop_all(lmp, FLERR, this,
+             "no effect named; given: no argument; allowed: a name of 'powderlink effects'; "
+             "to do: fix ID all adhesion/effect NAME [parameters]");
   }
   std::vector<double> parameters;
   for (int i = 4; i < narg; ++i) parameters.push_back(force->numeric(FLERR, arg[i]));
   try {
     effect_ = models::make_effect(arg[3], parameters);
   } catch (const InvalidInput& problem) {
-    error->fix_error(FLERR, this, problem.what());
+    stop_all(lmp, FLERR, this, problem.what());
   }
 }
 

@@ -99,14 +99,19 @@ class FixKatDrop : public LAMMPS_NS::Fix {
     kTakesPart,
     kColumns
   };
-  struct Summary;
+  struct Summary {
+    double largest_attached = 0.0, smallest_detached = 0.0, critical_diameter = 0.0;
+    double attached = 0, detached = 0, out_of_order = 0;
+    double energy_residual = 0.0, momentum_residual = 0.0;
+    double kinetic = 0.0, potential = 0.0, dissipated = 0.0, work = 0.0;
+  };
 
   // --- physics of one grain on the plate
   models::JkrLaw law_of(int type, double radius) const;
   double gap_m(int i) const;
   double gap_force_N(int i, double gap) const;
   double gap_energy_J(int i, double gap) const;
-  double contact_period_s(int type, double radius) const;
+  double contact_period_s(int i) const;
   models::Material material(int type) const;
   double pair_property(const char* name, int i, int j) const;
 
@@ -122,7 +127,7 @@ class FixKatDrop : public LAMMPS_NS::Fix {
   void account(int i, double own_force, double gap);
   Summary summarize() const;
   void write_results(const Summary& summary) const;
-  [[noreturn]] void stop_all(const std::string& message) const;
+  [[noreturn]] void stop(const std::string& message) const;
 
   KatDropOptions options_;
   std::unique_ptr<PlateContacts> contacts_;

@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "error.h"
 #include "host/fix_kat_drop.h"
+#include "host/stop_all.h"
 #include "input.h"
 #include "lammps.h"
 #include "modify.h"
@@ -22,7 +22,7 @@ void kat_run_command(LAMMPS* lmp, int narg, char** arg) {
     const std::string message =
         "kat/run; given: " + given +
         "; allowed: the ID of a fix kat/drop defined above; to do: kat/run ID";
-    lmp->error->all(FLERR, message.c_str());
+    stop_all(lmp, FLERR, nullptr, message);
   }
   bool first = true;
   while (!test->finished() && !SignalHandler::request_quit) {

@@ -6,6 +6,7 @@
 
 #include "host/fix_adhesion_effect.h"
 #include "host/private_access.h"
+#include "host/stop_all.h"
 
 POWDERLINK_PRIVATE_MEMBER(MeshPrecision, LAMMPS_NS::FixMesh, precision_, double)
 
@@ -49,10 +50,9 @@ void JkrNormalModel::registerSettings(Settings& settings) {
 
 void JkrNormalModel::postSettings() {
   if (limit_force_) {
-    error->all(
-        FLERR,
-        "model jkr: limitForce; given: limitForce on; allowed: off, because it would cut the "
-        "attraction that the model is made for; to do: remove 'limitForce on'");
+    stop_all(lmp, FLERR, nullptr,
+             "model jkr: limitForce; given: limitForce on; allowed: off, because it would cut the "
+             "attraction that the model is made for; to do: remove 'limitForce on'");
   }
 }
 
@@ -64,16 +64,15 @@ double JkrNormalModel::property(PropertyRegistry& registry, const char* name, in
 
 void JkrNormalModel::check_host() const {
   if (force->cg_active()) {
-    error->all(
-        FLERR,
+    stop_all(
+        lmp, FLERR, nullptr,
         "model jkr: coarse graining; given: 'coarsegraining' in the script; allowed: none, the "
         "adhesion of a parcel is not that of its grains; to do: remove 'coarsegraining'");
   }
   if (!atom->sphere_flag || atom->shapetype_flag) {
-    error->all(
-        FLERR,
-        "model jkr: particle shape; given: non-spherical particles; allowed: spheres; to do: "
-        "use atom_style granular or sphere");
+    stop_all(lmp, FLERR, nullptr,
+             "model jkr: particle shape; given: non-spherical particles; allowed: spheres; to do: "
+             "use atom_style granular or sphere");
   }
 }
 
@@ -105,7 +104,7 @@ void JkrNormalModel::connectToProperties(PropertyRegistry& registry) {
         const std::string message = where + "; given: " + text(energy) +
                                     " J/m^2; allowed: >= 0; to do: correct the matrix of fix "
                                     "property/global";
-        error->all(FLERR, message.c_str());
+        stop_all(lmp, FLERR, nullptr, message);
       }
       if (energy > kLargestPlausibleEnergy && i <= j && !is_wall_ && comm->me == 0) {
         const std::string message =
@@ -161,7 +160,7 @@ void JkrNormalModel::check_wall(double largest_gap) const {
           "longest neck, " +
           text(largest_gap) + " m, or contacts would be lost; to do: neighbor " +
           text(2.0 * largest_gap) + " bin";
-      error->fix_error(FLERR, wall, message.c_str());
+      stop_all(lmp, FLERR, wall, message);
     }
     return;
   }
@@ -178,7 +177,7 @@ void JkrNormalModel::check_wall(double largest_gap) const {
                                   " m, or grains of this size get wrong forces at triangle edges; "
                                   "to do: add 'precision 1e-12' "
                                   "to fix mesh/surface";
-      error->fix_error(FLERR, wall, message.c_str());
+      stop_all(lmp, FLERR, wall, message);
     }
   }
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "host/normal_model_jkr.h"
+#include "host/stop_all.h"
 
 namespace powderlink::host {
 
@@ -17,7 +18,7 @@ PlateContacts::PlateContacts(LAMMPS* lmp, Fix* asker, const std::string& wall_id
         "'; allowed: a fix wall/gran of model jkr (primitive or mesh) that the "
         "script defines before this line; to do: fix " +
         wall_id + " all wall/gran model jkr primitive type 2 zplane 0.0";
-    lmp->error->fix_error(FLERR, asker, message.c_str());
+    stop_all(lmp, FLERR, asker, message);
   }
   offset_ = wall_->get_history_offset(kRootHistory);
   if (!wall_->is_mesh_wall()) {

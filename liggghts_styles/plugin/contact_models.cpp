@@ -6,6 +6,7 @@
 #include <string>
 
 #include "host/contact_model_jkr.h"
+#include "host/stop_all.h"
 
 namespace powderlink::plugin {
 
@@ -56,7 +57,7 @@ void refuse(LAMMPS* lmp, int64_t hash) {
       "; allowed: tangential off | no_history | history, rolling_friction off | cdt | epsd2, no "
       "cohesion model (jkr is one), surface default; to do: change the pair_style gran or fix "
       "wall/gran line";
-  lmp->error->all(FLERR, message.c_str());
+  host::stop_all(lmp, FLERR, nullptr, message);
 }
 LIGGGHTS::PairStyles::IGranularPairStyle* refuse_pair(LAMMPS* lmp, PairGran*, int64_t hash) {
   refuse(lmp, hash);
