@@ -40,8 +40,13 @@ class Words {
                   "> 0");
   }
   int count(const std::string& what, int low) {
-    return static_cast<int>(std::llround(
-        number(what, low, 1e7, "a whole number from " + std::to_string(low) + " to 10000000")));
+    const std::string allowed = "a whole number from " + std::to_string(low) + " to 10000000";
+    const int before = i_;
+    const double value = number(what, low, 1e7, allowed);
+    if (value != std::floor(value)) {
+      throw InvalidInput(what, arg_[before], allowed, "give a number without a fraction");
+    }
+    return static_cast<int>(value);
   }
 
  private:
@@ -59,11 +64,11 @@ models::StopPulse measured_stop(const std::string& file, double rebound) {
   std::vector<double> times, values;
   std::string line;
   for (int row = 1; std::getline(in, line); ++row) {
-    std::istringstream words(line.substr(0, line.find('#')));
+    const std::string text = line.substr(0, line.find('#'));
+    if (text.find_first_not_of(" \t\r") == std::string::npos) continue;
+    std::istringstream words(text);
     double t = 0.0, a = 0.0;
-    if (!(words >> t)) {
-      if (words.eof()) continue;
-    } else if (words >> a) {
+    if (words >> t >> a) {
       times.push_back(t);
       values.push_back(a);
       continue;
@@ -84,8 +89,7 @@ std::vector<double> parse_sizes(Words& words) {
   const std::string kind = words.next("populate sizes", allowed);
   const auto ordered = [](double low, double high) {
     if (!(low <= high)) {
-      throw InvalidInput("populate sizes",
-                         std::to_string(low) + " .. " + std::to_string(high) + " m",
+      throw InvalidInput("populate sizes", number_text(low) + " .. " + number_text(high) + " m",
                          "smallest diameter first", "exchange the two");
     }
   };

@@ -59,6 +59,7 @@ void write(const KatResults& r, const std::string& file) {
   out << document.dump(1) << '\n';
   out.close();
   if (!out || std::rename(beside.c_str(), file.c_str()) != 0) {
+    std::remove(beside.c_str());
     throw InvalidInput("results file", file, "a file in a writable folder with room on the disk",
                        "check the folder and free space");
   }
