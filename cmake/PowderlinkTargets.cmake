@@ -8,7 +8,8 @@
 #   powderlink_benchmark(NAME SOURCES file... [LIBRARIES ...] ...)      Google Benchmark, with main
 #   powderlink_test(NAME SOURCES file...                                GoogleTest
 #     [LIBRARIES ...] [INCLUDES ...] [DEFINITIONS ...]
-#     [LABELS unit|host|...]   default unit; `unit` tests also run under the sanitizers
+#     [LABELS unit|host|...]   default unit; `unit` tests also run under the sanitizers, and so do
+#                              those labelled `sanitized` (without the search for leaks)
 #     [TIMEOUT seconds]        per test case, default 60
 #     [PROCESSORS n] [ENVIRONMENT VAR=value...] [RUN_SERIAL] [OWN_MAIN])
 #   powderlink_test_program(NAME SOURCES file... ...)                   a tool for command tests
@@ -50,7 +51,7 @@ endif()
 # What users need, without tests and benchmarks: the entry script builds this.
 add_custom_target(programs)
 # What the sanitizer preset builds.
-add_custom_target(unit_tests)
+add_custom_target(tests_to_sanitize)
 
 function(_powderlink_check_arguments function name prefix)
   if(${prefix}_UNPARSED_ARGUMENTS)
@@ -145,8 +146,8 @@ function(powderlink_test name)
   endif()
   powderlink_test_program(${name} SOURCES ${arg_SOURCES} INCLUDES ${arg_INCLUDES}
     DEFINITIONS ${arg_DEFINITIONS} LIBRARIES ${arg_LIBRARIES} ${framework})
-  if("unit" IN_LIST arg_LABELS)
-    add_dependencies(unit_tests ${name})
+  if("unit" IN_LIST arg_LABELS OR "sanitized" IN_LIST arg_LABELS)
+    add_dependencies(tests_to_sanitize ${name})
   endif()
 
   _powderlink_test_environment(environment "${arg_LABELS}" ${arg_ENVIRONMENT})

@@ -12,12 +12,7 @@ set xrange [x_low - pad : x_high + pad]
 top = (y_high > v ? y_high : v) * 1.12
 set yrange [-0.05 * top : top]
 set samples 2000
-# Below the curve when there is room, else left of it.
-if (d_c - x_low < 0.5 * (x_high - x_low)) {
-  set key at graph 0.97, graph 0.33 right top Right noreverse
-} else {
-  set key at graph 0.03, graph 0.80 left top Left reverse
-}
+set key outside above horizontal left Left reverse maxrows 2 samplen 2.5 width 2
 residual(d) = d > d_c ? v * sqrt(1.0 - (d_c / d) ** (5.0 / 3.0)) : NaN
 set label 1 "impact velocity {/:Italic v}" at graph 0.02, first v offset 0, 0.7 left textcolor rgb "#555555"
 if (d_c > 0) {

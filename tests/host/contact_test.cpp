@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Model jkr in LIGGGHTS away from the KAT: touch and go, the Hertz limit, friction and rolling of a
-// glued grain, and the preload into the stock program.
+// glued grain.
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -161,18 +161,6 @@ TEST(JkrContact, SpringsSurviveInTheNeck) {
   ASSERT_EQ(o.last.size(), 1u);
   const double free_travel = 0.5 * pull / m * std::pow(steps * s.time_step, 2);
   EXPECT_LT(std::fabs(o.last[0].x[0]), 0.02 * free_travel);
-}
-
-TEST(JkrContact, PreloadIntoTheStockProgramGivesTheSame) {
-  Setting s;
-  const std::vector<Sphere> spheres = {above_plate(1e-7, 2.0)};
-  const Outcome ours = run_on_plate(LiggghtsCase("by_launcher"), s, spheres, 3e-6);
-  const Outcome stock =
-      run_on_plate(LiggghtsCase("by_preload"), s, spheres, 3e-6, LiggghtsCase::Program::preload);
-  ASSERT_EQ(ours.status, 0) << ours.output;
-  ASSERT_EQ(stock.status, 0) << stock.output;
-  ASSERT_EQ(stock.last.size(), 1u);
-  for (int k = 0; k < 3; ++k) EXPECT_EQ(ours.last[0].v[k], stock.last[0].v[k]);
 }
 
 TEST(JkrContact, DampingActsInTheNeckToo) {

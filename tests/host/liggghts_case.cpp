@@ -51,8 +51,7 @@ std::vector<Sphere> read_last_dump(const fs::path& file) {
 
 }  // namespace
 
-LiggghtsCase::LiggghtsCase(const std::string& name)
-    : folder_(fs::temp_directory_path() / "powderlink_host_tests" / name) {
+LiggghtsCase::LiggghtsCase(const std::string& name) : folder_(fs::path(POWDERLINK_RUNS) / name) {
   fs::remove_all(folder_);
   fs::create_directories(folder_);
 }
@@ -102,25 +101,32 @@ void LiggghtsCase::write_plate(const std::string& file, double half, int n) cons
   out << "endsolid plate\n";
 }
 
-Outcome LiggghtsCase::run(const std::string& script, int ranks, Program program) const {
-  write("in.script", script);
-  // Open MPI refuses root without being told; CI containers run as root.
-  std::string command =
+Outcome LiggghtsCase::execute(const std::string& command) const {
+  // Open MPI refuses root without being told; containers run as root.
+  const std::string line =
       "cd '" + folder_.string() +
       "' && env OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 timeout " +
-      std::to_string(kSecondsPerRun) + " ";
-  if (ranks > 1) {
-    command +=
-        "mpirun --oversubscribe --mca mpi_yield_when_idle 1 -np " + std::to_string(ranks) + " ";
-  }
-  if (program == Program::preload) command += "env LD_PRELOAD='" POWDERLINK_STYLES "' ";
-  command += program == Program::launcher ? "'" POWDERLINK_LAUNCHER "'" : "'" LIGGGHTS_PROGRAM "'";
-  command += " -in in.script > screen.txt 2>&1 < /dev/null";
-  const int raw = std::system(command.c_str());
+      std::to_string(kSecondsPerRun) + " " + command + " > screen.txt 2>&1 < /dev/null";
+  const int raw = std::system(line.c_str());
   Outcome outcome;
   outcome.status = WIFEXITED(raw) ? WEXITSTATUS(raw) : 128 + WTERMSIG(raw);
   outcome.output = read(folder_ / "screen.txt");
   outcome.folder = folder_;
+  return outcome;
+}
+
+Outcome LiggghtsCase::help() const { return execute("'" POWDERLINK_LAUNCHER "' -h"); }
+
+Outcome LiggghtsCase::run(const std::string& script, int ranks, Program program) const {
+  write("in.script", script);
+  std::string command;
+  if (ranks > 1) {
+    command =
+        "mpirun --oversubscribe --mca mpi_yield_when_idle 1 -np " + std::to_string(ranks) + " ";
+  }
+  if (program == Program::preload) command += "env LD_PRELOAD='" POWDERLINK_STYLES "' ";
+  command += program == Program::launcher ? "'" POWDERLINK_LAUNCHER "'" : "'" LIGGGHTS_PROGRAM "'";
+  Outcome outcome = execute(command + " -in in.script");
   if (fs::exists(folder_ / "last.dump")) outcome.last = read_last_dump(folder_ / "last.dump");
   return outcome;
 }

@@ -41,8 +41,11 @@ class LiggghtsCase {
   enum class Program { launcher, preload, stock };
   /// Writes the script, runs it on the given number of ranks, reads `last.dump` if there is one.
   Outcome run(const std::string& script, int ranks = 1, Program program = Program::launcher) const;
+  /// What `liggghts-powderlink -h` prints.
+  Outcome help() const;
 
  private:
+  Outcome execute(const std::string& command) const;
   std::filesystem::path folder_;
 };
 
