@@ -24,9 +24,10 @@ std::string number(double value) { return fmt::format("{:g}", value); }
 
 double require_velocity_m_s(double value, const std::string& where) {
   if (!(value > 0.0 && value < kLargestVelocity_m_s)) {
-    throw InvalidInput(where + ": impact velocity", number(value) + " m/s", "> 0 and below 1000 m/s",
-                       value > 0.0 ? "was mm/s meant? divide by 1000"
-                                   : "give the speed at which the plate meets the anvil, such as 1.4");
+    throw InvalidInput(
+        where + ": impact velocity", number(value) + " m/s", "> 0 and below 1000 m/s",
+        value > 0.0 ? "was mm/s meant? divide by 1000"
+                    : "give the speed at which the plate meets the anvil, such as 1.4");
   }
   return value;
 }
@@ -35,10 +36,10 @@ double require_diameter_um(double value, const std::string& where) {
   if (!(value >= kSmallest_um && value <= kLargest_um)) {
     const double as_metres = value * 1e6;
     const bool metres = as_metres >= kSmallest_um && as_metres <= kLargest_um;
-    throw InvalidInput(where + ": diameter", number(value) + " um", "0.01 to 10000 um",
-                       metres ? "were metres given where micrometres are meant? write " +
-                                    number(as_metres)
-                              : "give the diameter in micrometres, such as 46");
+    throw InvalidInput(
+        where + ": diameter", number(value) + " um", "0.01 to 10000 um",
+        metres ? "were metres given where micrometres are meant? write " + number(as_metres)
+               : "give the diameter in micrometres, such as 46");
   }
   return value;
 }
@@ -47,10 +48,10 @@ double require_contact_time_us(double value, const std::string& where) {
   if (!(value >= kSmallest_us && value <= kLargest_us)) {
     const double as_seconds = value * 1e6;
     const bool seconds = as_seconds >= kSmallest_us && as_seconds <= kLargest_us;
-    throw InvalidInput(where + ": contact time", number(value) + " us", "0.01 to 100000 us",
-                       seconds ? "were seconds given where microseconds are meant? write " +
-                                     number(as_seconds)
-                               : "give the time in microseconds, such as 100");
+    throw InvalidInput(
+        where + ": contact time", number(value) + " us", "0.01 to 100000 us",
+        seconds ? "were seconds given where microseconds are meant? write " + number(as_seconds)
+                : "give the time in microseconds, such as 100");
   }
   return value;
 }
@@ -66,9 +67,11 @@ double require_adhesive_energy_J_m2(double value, const std::string& where) {
 std::string adhesive_energy_warning(double adhesive_energy_J_m2, const std::string& where) {
   if (!(adhesive_energy_J_m2 > kDrySolids_J_m2)) return "";
   return fmt::format(
-      "{}: an adhesive energy of {:.4g} J/m^2 is above 10 J/m^2; dry solids have 0.01 to 1. It is the "
+      "{}: an adhesive energy of {:.4g} J/m^2 is above 10 J/m^2; dry solids have 0.01 to 1. It is "
+      "the "
       "work of adhesion of the interface (twice the surface energy for like solids, pull-off "
-      "1.5 pi Gamma R), not a surface energy, and an instant stop asks for 100 to 1000 times more of "
+      "1.5 pi Gamma R), not a surface energy, and an instant stop asks for 100 to 1000 times more "
+      "of "
       "it than a stop of 50 to 200 us",
       where, adhesive_energy_J_m2);
 }

@@ -9,9 +9,9 @@
 
 namespace powderlink::analysis {
 
-double require_velocity_m_s(double value, const std::string& where);     ///< > 0, below 1000
-double require_diameter_um(double value, const std::string& where);      ///< 0.01 to 10 000
-double require_contact_time_us(double value, const std::string& where);  ///< 0.01 to 100 000
+double require_velocity_m_s(double value, const std::string& where);          ///< > 0, below 1000
+double require_diameter_um(double value, const std::string& where);           ///< 0.01 to 10 000
+double require_contact_time_us(double value, const std::string& where);       ///< 0.01 to 100 000
 double require_adhesive_energy_J_m2(double value, const std::string& where);  ///< > 0
 
 /// Text for stderr when Gamma is above what dry solids reach, else empty.

@@ -12,9 +12,12 @@ namespace powderlink::analysis {
 
 std::string CriticalDiameter::text_um() const {
   switch (state) {
-    case State::nothing_detaches: return fmt::format("> {:.0f} (nothing detaches)", diameter_m * 1e6);
-    case State::everything_detaches: return fmt::format("< {:.1f} (everything detaches)", diameter_m * 1e6);
-    case State::found: break;
+    case State::nothing_detaches:
+      return fmt::format("> {:.0f} (nothing detaches)", diameter_m * 1e6);
+    case State::everything_detaches:
+      return fmt::format("< {:.1f} (everything detaches)", diameter_m * 1e6);
+    case State::found:
+      break;
   }
   return fmt::format("{:.2f}", diameter_m * 1e6);
 }
@@ -67,7 +70,8 @@ CriticalDiameter critical_diameter(const ReducedModel& model, double impact_velo
                           kLargestDiameter_m);
     stride *= stride;
   }
-  while (detached - attached > relative_tolerance * attached) leaves(std::sqrt(attached * detached));
+  while (detached - attached > relative_tolerance * attached)
+    leaves(std::sqrt(attached * detached));
   result.largest_attached_m = attached;
   result.smallest_detached_m = detached;
   result.diameter_m = std::sqrt(attached * detached);

@@ -50,7 +50,8 @@ double CsvTable::number(const Row& row, std::size_t column) const {
   const auto [rest, error] = std::from_chars(begin, end, value);
   if (error != std::errc() || rest != end || !std::isfinite(value)) {
     throw InvalidInput(place(row, column), cell.empty() ? "an empty cell" : "'" + cell + "'",
-                       "a finite number with a decimal point", "correct the cell or remove the row");
+                       "a finite number with a decimal point",
+                       "correct the cell or remove the row");
   }
   return value;
 }
@@ -86,7 +87,8 @@ CsvTable read_csv(const std::filesystem::path& file) {
           fmt::format("{}, column {}", place, std::min(cells.size(), table.columns.size()) + 1),
           fmt::format("{} cells ('{}')", cells.size(), line),
           fmt::format("{} cells, as in the header", table.columns.size()),
-          comma ? "decimal commas? write decimal points" : "fill the missing cells or remove the row");
+          comma ? "decimal commas? write decimal points"
+                : "fill the missing cells or remove the row");
     } else {
       table.rows.push_back({line_number, std::move(cells)});
     }

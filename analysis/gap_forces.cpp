@@ -48,7 +48,8 @@ bool GapForces::let_go(double gap_m, double radius_m, double mass_kg, double spe
     if (push(top) > 0.0) {
       constexpr int bits = 30;
       top = boost::math::tools::bisect(push, gap_m, top,
-                                       boost::math::tools::eps_tolerance<double>(bits)).second;
+                                       boost::math::tools::eps_tolerance<double>(bits))
+                .second;
     }
   }
   const double climb =

@@ -26,7 +26,8 @@ class GapForces {
 
   /// True when a free sphere that moves away is never turned back, with its weight [N] as the only
   /// push: m u^2/2 + U(h) - m g h is above its highest value further out.
-  bool let_go(double gap_m, double radius_m, double mass_kg, double speed_m_s, double weight_N) const;
+  bool let_go(double gap_m, double radius_m, double mass_kg, double speed_m_s,
+              double weight_N) const;
 
  private:
   std::vector<const models::Effect*> effects_;

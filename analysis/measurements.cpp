@@ -57,8 +57,8 @@ Measurements read_measurements(const std::filesystem::path& file) {
     const auto column = m.table.find_column(c.name);
     if (!column) {
       if (!c.needed) continue;
-      const bool semicolons = m.table.columns.size() == 1 &&
-                              m.table.columns[0].find(';') != std::string::npos;
+      const bool semicolons =
+          m.table.columns.size() == 1 && m.table.columns[0].find(';') != std::string::npos;
       throw InvalidInput(m.table.file + ": column '" + c.name + "'",
                          fmt::format("columns {}", fmt::join(m.table.columns, ", ")),
                          "impact_velocity_m_s and critical_diameter_um are needed",

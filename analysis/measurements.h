@@ -6,7 +6,7 @@
 ///   critical_diameter_um           needed
 ///   critical_diameter_sigma_um     optional, standard deviation
 ///   contact_time_us                optional, measured contact of carrier and anvil
-///   adhesive_energy_J_m2           optional, work of adhesion of the interface to be used for the row
+///   adhesive_energy_J_m2           optional, work of adhesion of the interface for this row
 /// Other columns are kept as text and named in `unknown_columns`.
 /// Errors: InvalidInput with file, line and column. Tests: tests/analysis/measurements_test.cpp
 #pragma once

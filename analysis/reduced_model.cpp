@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/reduced_model.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <boost/math/tools/roots.hpp>
 #include <cmath>
@@ -18,14 +20,15 @@ namespace {
 
 // A sudden stop drives the particle through the whole neck and needs many steps per period; a slow
 // one only has to find the moment when the pull-off force is passed. Doubling them changes d_c by
-// less than 2e-4. Two things are of first order in the step and get more of them: the edge of a
-// rate-dependent contact (d_c within 5e-3) and, where attraction acts beyond the neck, the speed
-// with which the neck is left (1e-3). (tests: reduced_model_test.cpp)
+// less than 2e-4. The edge of a rate-dependent contact is of first order in the step: d_c is within
+// 5e-3. (tests: reduced_model_test.cpp)
 constexpr double kStepsSudden = 200.0;
-constexpr double kStepsSuddenFirstOrder = 800.0;
+constexpr double kStepsSuddenRate = 800.0;
 constexpr double kStepsSlow = 40.0;
 constexpr double kPeriodsOfSuddenStop = 20.0;
 constexpr double kFewestSteps = 7.0;  // Verlet is unstable below pi
+constexpr double kFewestStepsOfStop = 50.0;
+constexpr double kInstantBelow = 1e-3;  // periods: nothing moves during such a stop
 
 // An attached particle that is no longer pushed must have turned this often to end the run.
 constexpr int kTurnsAfterStop = 3;
@@ -53,15 +56,16 @@ ReducedModel::ReducedModel(KatSetup setup) : setup_(std::move(setup)) {
   setup_.particle.validate();
   setup_.substrate.validate();
   if (!(std::isfinite(setup_.work_of_adhesion_J_m2) && setup_.work_of_adhesion_J_m2 >= 0.0)) {
-    throw InvalidInput("adhesive energy", std::to_string(setup_.work_of_adhesion_J_m2) + " J/m^2",
-                       ">= 0 J/m^2", "give the work of adhesion of the interface");
+    throw InvalidInput("adhesive energy",
+                       fmt::format("{:g}", setup_.work_of_adhesion_J_m2) + " J/m^2", ">= 0 J/m^2",
+                       "give the work of adhesion of the interface");
   }
   if (!(std::isfinite(setup_.gravity_m_s2) && setup_.gravity_m_s2 >= 0.0)) {
-    throw InvalidInput("gravity", std::to_string(setup_.gravity_m_s2) + " m/s^2", ">= 0 m/s^2",
+    throw InvalidInput("gravity", fmt::format("{:g}", setup_.gravity_m_s2) + " m/s^2", ">= 0 m/s^2",
                        "it pulls the particles off the plate; use 9.81");
   }
   if (setup_.steps_per_period != 0.0 && !(setup_.steps_per_period >= kFewestSteps)) {
-    throw InvalidInput("steps per period", std::to_string(setup_.steps_per_period),
+    throw InvalidInput("steps per period", fmt::format("{:g}", setup_.steps_per_period),
                        "0 (automatic) or at least 7", "leave it at 0");
   }
   damping_ratio_ = models::damping_ratio(setup_.restitution);
@@ -78,8 +82,7 @@ ReducedModel::ReducedModel(KatSetup setup) : setup_(std::move(setup)) {
 
 double ReducedModel::steps_per_period(double period_s) const {
   if (setup_.steps_per_period > 0.0) return setup_.steps_per_period;
-  const bool first_order = contact_.rate_dependent() || !gap_.none();
-  const double sudden = first_order ? kStepsSuddenFirstOrder : kStepsSudden;
+  const double sudden = contact_.rate_dependent() ? kStepsSuddenRate : kStepsSudden;
   if (setup_.stop.shape() == StopPulse::Shape::instant) return sudden;
   const double slowness = setup_.stop.duration_s() / (kPeriodsOfSuddenStop * period_s);
   return std::clamp(sudden / slowness, kStepsSlow, sudden);
@@ -124,17 +127,25 @@ DropOutcome ReducedModel::run(const Sphere& s, double impact_velocity) const {
     return out;
   }
   double w = -law.overlap_m(root, radius);
-  double u = stop.kick_m_s(impact_velocity);
 
   // dF/d(delta) at the start sets the contact's own period.
   const double s3 = root * root * root;
   const double c = (s3 * root / radius + w) / root;
-  const double stiffness = law.effective_modulus_Pa() * root * root * (8.0 * s3 / radius - 6.0 * c) /
-                           (4.0 * s3 / radius - c);
+  const double stiffness = law.effective_modulus_Pa() * root * root *
+                           (8.0 * s3 / radius - 6.0 * c) / (4.0 * s3 / radius - c);
   const double period = 2.0 * JkrLaw::kPi * std::sqrt(m / stiffness);
-  const double dt = period / steps_per_period(period);
+  const bool instant =
+      stop.shape() == StopPulse::Shape::instant || stop.duration_s() < kInstantBelow * period;
+  const double stop_end = instant ? 0.0 : stop.duration_s();
+  const double dt =
+      std::min(period / steps_per_period(period), instant ? period : stop_end / kFewestStepsOfStop);
+  double u = instant ? stop.speed_change_m_s(impact_velocity) : 0.0;
+  const auto push_at = [&](double time) {
+    return setup_.gravity_m_s2 + (instant ? 0.0 : stop.deceleration_m_s2(time, impact_velocity));
+  };
   // gamma_n grows with sqrt(a), the memory of the contact.
-  const double damping = models::normal_damping_kg_s(damping_ratio_, law.effective_modulus_Pa(), 1.0, m);
+  const double damping =
+      models::normal_damping_kg_s(damping_ratio_, law.effective_modulus_Pa(), 1.0, m);
 
   const auto stored_energy = [&](double at, double with_root) {
     double energy = s.contact_energy_J(at, with_root, rate_dependent);
@@ -152,10 +163,8 @@ DropOutcome ReducedModel::run(const Sphere& s, double impact_velocity) const {
   double barrier = law.energy_J(root_tear, radius);
   if constexpr (kGapForces) barrier += gap_.energy_J(w_tear, radius);
 
-  // A measured pulse may do anything until its end; the analytic ones only fall in their second half.
-  const bool instant = stop.shape() == StopPulse::Shape::instant;
-  const bool measured = stop.shape() == StopPulse::Shape::measured;
-  const double stop_end = instant ? 0.0 : stop.duration_s();
+  // A measured pulse may do anything until its end; the others only fall in their second half.
+  const bool measured = !instant && stop.shape() == StopPulse::Shape::measured;
   const double only_falls_from = measured ? stop_end : 0.5 * stop_end;
   const double settled_from = measured || !setup_.stop_when_certain ? stop_end : 0.0;
   const double last_time = stop_end + kPeriodsAfterStop * period;
@@ -165,8 +174,9 @@ DropOutcome ReducedModel::run(const Sphere& s, double impact_velocity) const {
   double dissipated = 0.0;
   int turns = 0;
   double t = 0.0;
-  double push = stop.deceleration_m_s2(0.0, impact_velocity) + setup_.gravity_m_s2;
-  double acceleration = (spring(w, root) - damping * root * u) * inv_mass + push;
+  double push = push_at(0.0);
+  double viscous = damping * root * u;
+  double acceleration = (spring(w, root) - viscous) * inv_mass + push;
   while (t < last_time) {
     const double u_half = u + 0.5 * dt * acceleration;
     const double dw = dt * u_half;
@@ -174,35 +184,36 @@ DropOutcome ReducedModel::run(const Sphere& s, double impact_velocity) const {
     w += dw;
     t = static_cast<double>(++out.steps) * dt;
     root = contact_.advance(law, -w, radius, root, dt);
-    const double new_push = stop.deceleration_m_s2(t, impact_velocity) + setup_.gravity_m_s2;
-    const double viscous = damping * root * u_half;
+    const double new_push = push_at(t);
+    const double old_viscous = viscous;
+    viscous = damping * root * (u_half + 0.5 * dt * acceleration);  // speed at the step's end
     acceleration = (spring(w, root) - viscous) * inv_mass + new_push;
     const double old_u = u;
     u = u_half + 0.5 * dt * acceleration;
 
     work += 0.5 * m * (push + new_push) * dw;
     push = new_push;
-    dissipated += viscous * dw;
-    if (old_root > 0.0 && root == 0.0) {  // what the neck had stored, with this step's share
-      dissipated += s.contact_energy_J(w - dw, old_root, rate_dependent) -
-                    0.5 * dw * contact_.force_N(law, dw - w, radius, old_root);
+    dissipated += 0.5 * (old_viscous + viscous) * dw;
+    if (old_root > 0.0 && root == 0.0 && !rate_dependent) {
+      // The neck pulled for a part of the step only; half a step is already in u.
+      const double acted = std::clamp(1.0 - (w - w_tear) / dw, 0.0, 1.0);
+      u += (acted - 0.5) * dt * inv_mass * law.force_N(root_tear, radius);
+      dissipated += law.energy_J(root_tear, radius);
     }
     if (t > stop_end && (old_u > 0.0) != (u > 0.0)) ++turns;
 
     if (root == 0.0) {
       const double weight = m * setup_.gravity_m_s2;
-      if (t >= settled_from && u > 0.0 &&
-          (!kGapForces || gap_.let_go(w, radius, m, u, weight))) {
+      if (t >= settled_from && u > 0.0 && (!kGapForces || gap_.let_go(w, radius, m, u, weight))) {
         out.detached = true;
         break;
       }
       if (kGapForces && t >= stop_end && !gap_.let_go(w, radius, m, std::fabs(u), weight)) break;
-    } else if (setup_.stop_when_certain && t >= only_falls_from &&
-               0.5 * m * u * u + stored_energy(w, root) - m * push * (w - w_tear) < barrier) {
-      break;
-    } else if (turns >= kTurnsAfterStop) {
-      break;
+      continue;
     }
+    const bool held = setup_.stop_when_certain && t >= only_falls_from &&
+                      0.5 * m * u * u + stored_energy(w, root) - m * push * (w - w_tear) < barrier;
+    if (held || turns >= kTurnsAfterStop) break;
   }
 
   const double impact_speed = stop.speed_change_m_s(impact_velocity);
@@ -216,11 +227,11 @@ DropOutcome ReducedModel::run(const Sphere& s, double impact_velocity) const {
 
 DropOutcome ReducedModel::drop(double diameter_m, double impact_velocity) const {
   if (!(diameter_m > 0.0 && std::isfinite(diameter_m))) {
-    throw InvalidInput("particle diameter", std::to_string(diameter_m) + " m", "> 0 m",
+    throw InvalidInput("particle diameter", fmt::format("{:g}", diameter_m) + " m", "> 0 m",
                        "give a diameter, such as 50e-6");
   }
   if (!(impact_velocity > 0.0 && std::isfinite(impact_velocity))) {
-    throw InvalidInput("impact velocity", std::to_string(impact_velocity) + " m/s", "> 0 m/s",
+    throw InvalidInput("impact velocity", fmt::format("{:g}", impact_velocity) + " m/s", "> 0 m/s",
                        "give the speed at which the plate meets the anvil");
   }
   const double radius = 0.5 * diameter_m;

@@ -9,8 +9,8 @@
 /// [N]; gamma_n damping (models/normal_damping.h); A(t) deceleration of the plate [m/s^2]
 /// (models/stop_pulse.h); g gravity, away from the plate [m/s^2].
 /// The particle starts at the equilibrium of contact, gravity and effects; an instant stop kicks it
-/// with v (1 + e_p). Integration: velocity Verlet with forces from half-step speeds, the scheme of
-/// the DEM, with a step that is a fraction of the contact's own period.
+/// with v (1 + e_p). Integration: velocity Verlet as in the DEM, with a step that is a fraction of
+/// the contact's own period.
 ///
 /// A particle counts as detached when its contact is lost and nothing brings it back. Runs end as
 /// soon as that is certain:

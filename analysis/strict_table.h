@@ -5,38 +5,35 @@
 /// Tests: tests/analysis/study_test.cpp
 #pragma once
 
+#include <toml++/toml.h>
 #include <optional>
 #include <string>
 #include <vector>
-
-namespace toml {
-inline namespace v3 {
-class table;
-class node;
-}  // namespace v3
-}  // namespace toml
 
 namespace powderlink::analysis {
 
 class StrictTable {
  public:
-  /// \param table  may be nullptr: then every value is absent
-  /// \param where  such as "study.toml [kat]"
-  StrictTable(const toml::table* table, std::string where, const std::vector<std::string>& keys);
+  /// \param table  nullptr: every value is absent
+  /// \param file   for messages
+  /// \param name   of the table in the file, such as "kat"; empty for the top level
+  /// \param keys   allowed; nothing is checked when empty
+  StrictTable(const toml::table* table, std::string file, std::string name,
+              std::vector<std::string> keys);
 
-  bool has(const std::string& key) const;
+  bool present() const { return table_ != nullptr; }
+  bool has(const std::string& key) const { return find(key) != nullptr; }
+  bool is_list(const std::string& key) const { return has(key) && find(key)->is_array(); }
+  std::vector<std::string> keys() const;
+
   std::optional<double> number(const std::string& key) const;
   std::optional<long> integer(const std::string& key) const;
   std::optional<std::string> text(const std::string& key) const;
   std::optional<std::vector<double>> numbers(const std::string& key) const;
   std::optional<std::vector<std::string>> texts(const std::string& key) const;
-  StrictTable table(const std::string& key, const std::vector<std::string>& keys) const;
-  std::vector<std::string> keys() const;
+  StrictTable table(const std::string& key, std::vector<std::string> keys) const;
 
-  /// Throws "missing" with the text that would be right.
-  [[noreturn]] void missing(const std::string& key, const std::string& allowed,
-                            const std::string& to_do) const;
-  /// "study.toml, line 12: [kat] wall"
+  /// "study.toml, line 12, [kat] wall"
   std::string place(const std::string& key) const;
 
  private:
@@ -44,7 +41,8 @@ class StrictTable {
   [[noreturn]] void wrong_type(const std::string& key, const std::string& allowed) const;
 
   const toml::table* table_;
-  std::string where_;
+  std::string file_;
+  std::string name_;
 };
 
 }  // namespace powderlink::analysis

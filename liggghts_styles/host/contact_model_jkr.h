@@ -94,7 +94,7 @@ class JkrContactModel : public lcm::ContactModelBase {
     if (contact.contact_flags != nullptr) *contact.contact_flags = 0;
   }
 
-  bool contact_match(const std::string type, const std::string model) {
+  bool contact_match(const std::string& type, const std::string& model) {
     lcm::Factory& names = lcm::Factory::instance();
     if (type == "surface") return lcm::SURFACE_DEFAULT == names.getSurfaceModelId(model);
     if (type == "normal") return kJkrModelId == names.getNormalModelId(model);

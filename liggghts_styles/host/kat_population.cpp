@@ -13,6 +13,7 @@ constexpr double kOffCentreV = 0.0071;
 
 std::vector<double> graded_diameters(double d_min, double d_max, int n) {
   std::vector<double> d;
+  d.reserve(n);
   for (int i = 0; i < n; ++i) {
     d.push_back(n == 1 ? d_min : d_min * std::pow(d_max / d_min, static_cast<double>(i) / (n - 1)));
   }
@@ -36,11 +37,14 @@ std::vector<double> rosin_rammler_diameters(double x0, double exponent, double d
 
 std::vector<PlanePoint> square_grid(std::size_t n, double spacing) {
   const auto side = static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(n))));
+  const double centre = 0.5 * (static_cast<double>(side) - 1.0);
   std::vector<PlanePoint> points;
+  points.reserve(n);
   for (std::size_t i = 0; i < n; ++i) {
-    const double centre = 0.5 * (static_cast<double>(side) - 1.0);
-    points.push_back({(static_cast<double>(i % side) - centre + kOffCentreU) * spacing,
-                      (static_cast<double>(i / side) - centre + kOffCentreV) * spacing});
+    const std::size_t row = i / side;
+    const std::size_t column = i % side;
+    points.push_back({(static_cast<double>(column) - centre + kOffCentreU) * spacing,
+                      (static_cast<double>(row) - centre + kOffCentreV) * spacing});
   }
   return points;
 }

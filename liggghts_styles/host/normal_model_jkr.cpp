@@ -93,7 +93,7 @@ void JkrNormalModel::connectToProperties(PropertyRegistry& registry) {
 
   const int n = registry.max_type();
   stride_ = n + 1;
-  pairs_.assign(stride_ * stride_, JkrPair());
+  pairs_.assign(static_cast<std::size_t>(stride_) * stride_, JkrPair());
   rough_contacts_.assign(pairs_.size(), models::AdhesiveContact());
   for (int i = 1; i <= n; ++i) {
     for (int j = 1; j <= n; ++j) {

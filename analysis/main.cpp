@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The powderlink program. Exit status: 0 done, 1 the input or a run was wrong, 2 usage.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+
+#include "analysis/commands/commands.h"
+
+namespace {
+
+constexpr int kFailed = 1;
+constexpr int kUsage = 2;
+
+/// Returns the exit status; errors other than of usage are thrown.
+int run(int argc, char** argv) {
+  namespace analysis = powderlink::analysis;
+  CLI::App app{"powderlink: adhesion and flow of metal powder with LIGGGHTS and OpenFOAM",
+               "powderlink"};
+  app.set_version_flag("--version", "powderlink " POWDERLINK_VERSION);
+  app.require_subcommand(1);
+  app.footer("powderlink SUBCOMMAND --help tells more. Example studies: kat_cases/.");
+  CLI::App* kat = app.add_subcommand("kat", "the Kinetic Adhesion Test");
+  kat->require_subcommand(1);
+  analysis::add_kat_theory_command(*kat);
+  analysis::add_kat_run_command(*kat);
+  analysis::add_effects_command(app);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& e) {
+    return app.exit(e) == 0 ? 0 : kUsage;
+  }
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (const std::exception& e) {
+    std::fprintf(stderr, "powderlink: %s\n", e.what());
+    return kFailed;
+  }
+}

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file study.h
+/// A study: who sticks to what, which effects are switched on, and the drops to explain. TOML:
+///
+///   [study]      name, experiment = "kat_critical_diameter", measurements = "file.csv"
+///                (relative to the study file)
+///   [particle]   material = NAME, or density_kg_m3, youngs_modulus_Pa, poissons_ratio
+///   [substrate]  the same
+///   [model]      effects = [NAME...]                    names of `powderlink effects`
+///   [effect.NAME]  parameters of that effect            absent ones have their typical values
+///   [fit]        adhesive_energy_J_m2 = [low, high]     bounds of a fit; a single number fixes it
+///   [kat]        all optional: velocities_m_s = [...] (without a measurement file), wall =
+///                "primitive"|"mesh", frame = "plate"|"moving", time_step_rayleigh = 0.1,
+///                restitution = 1.0, particles = 64, resolution = 0.002,
+///                diameter_range_um = [low, high]
+///
+/// Unknown keys, unknown names and impossible values are InvalidInput with file, line and key.
+/// Tests: tests/analysis/study_test.cpp
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "analysis/measurements.h"
+#include "analysis/reduced_model.h"
+#include "models/material.h"
+
+namespace powderlink::analysis {
+
+struct EffectChoice {
+  std::string name;
+  std::vector<double> parameters;  ///< all of them, in the registry's order
+};
+
+struct KatOptions {
+  bool mesh_wall = false;
+  bool moving_frame = false;
+  double time_step_rayleigh = 0.1;  ///< of the smallest particle, (0, 0.5]
+  double restitution = 1.0;         ///< of the Hertz contact
+  int particles = 64;               ///< per run
+  double resolution = 0.002;        ///< relative width of the final bracket of d_c
+  std::optional<std::pair<double, double>> diameter_range_um{};
+};
+
+struct EnergyRange {
+  double lower_J_m2 = 0.0;
+  double upper_J_m2 = 0.0;
+  bool fixed() const { return lower_J_m2 == upper_J_m2; }
+};
+
+struct Study {
+  std::filesystem::path file;
+  std::string name;
+  std::string experiment;
+  models::Material particle;
+  models::Material substrate;
+  std::vector<EffectChoice> effects;
+  EnergyRange adhesive_energy;
+  KatOptions kat;
+  std::vector<KatRow> rows;
+  std::vector<std::string> notes;  ///< for stderr: kept columns, unusual values
+};
+
+Study read_study(const std::filesystem::path& file);
+
+/// The reduced model's set-up for one row: effects made, a measured contact time taken as tau.
+KatSetup row_setup(const Study& study, const KatRow& row, double work_of_adhesion_J_m2);
+
+/// Effects with the parameters that hold for this row.
+std::vector<EffectChoice> row_effects(const Study& study, const KatRow& row);
+
+}  // namespace powderlink::analysis

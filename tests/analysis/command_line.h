@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file command_line.h
+/// Runs the powderlink program as a user would.
+#pragma once
+
+#include <sys/wait.h>
+
+#include <cstdlib>
+#include <string>
+
+#include "tests/analysis/test_files.h"
+
+namespace powderlink::analysis {
+
+struct CommandResult {
+  int status = 0;
+  std::string out, err;
+};
+
+inline CommandResult powderlink(const std::string& arguments) {
+  const TestFolder folder;
+  const std::string base = (folder.path() / "text").string();
+  const std::string line = std::string("'" POWDERLINK_PROGRAM "' ") + arguments + " >" + base +
+                           ".out 2>" + base + ".err";
+  const int status = std::system(line.c_str());
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_file(base + ".out"),
+          read_file(base + ".err")};
+}
+
+}  // namespace powderlink::analysis

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/measurements.h"
+
+#include <gtest/gtest.h>
+
+#include "analysis/checks.h"
+#include "tests/analysis/test_files.h"
+
+namespace powderlink::analysis {
+namespace {
+
+Measurements read(const std::string& text) {
+  const TestFolder folder;
+  return read_measurements(folder.write("drop.csv", text));
+}
+
+void refused(const std::string& text, const std::vector<std::string>& fragments) {
+  expect_refusal([&] { read(text); }, fragments);
+}
+
+const std::string kHeader = "impact_velocity_m_s,critical_diameter_um\n";
+
+TEST(Measurements, ReadsTheContract) {
+  const Measurements m = read(
+      "\xEF\xBB\xBF# a comment\r\n"
+      "impact_velocity_m_s, critical_diameter_um,critical_diameter_sigma_um,contact_time_us,\"who, "
+      "where\"\r\n"
+      "\r\n"
+      " 1.8 ,66.4,1.5,100,\"me, here\"\r\n"
+      "# another\r\n"
+      "+2.3,6.38e1,2,90,you\r\n");
+  ASSERT_EQ(m.rows.size(), 2U);
+  EXPECT_EQ(m.rows[0].impact_velocity_m_s, 1.8);
+  EXPECT_EQ(m.rows[0].critical_diameter_um, 66.4);
+  EXPECT_EQ(m.rows[0].critical_diameter_sigma_um, 1.5);
+  EXPECT_EQ(m.rows[0].contact_time_us, 100.0);
+  EXPECT_FALSE(m.rows[0].adhesive_energy_J_m2.has_value());
+  EXPECT_EQ(m.rows[1].impact_velocity_m_s, 2.3);
+  EXPECT_EQ(m.rows[1].critical_diameter_um, 63.8);
+  ASSERT_EQ(m.unknown_columns.size(), 1U);
+  EXPECT_EQ(m.unknown_columns[0], "who, where");
+  EXPECT_EQ(m.table.rows[0].cells[4], "me, here");
+}
+
+TEST(Measurements, ShippedFilesAreRead) {
+  EXPECT_EQ(read_measurements(POWDERLINK_CASES "/zafar2014/zafar2014_drop_test.csv").rows.size(),
+            7U);
+  const Measurements glass =
+      read_measurements(POWDERLINK_CASES "/pedrolli_316L_glass/kat_316L_glass.csv");
+  EXPECT_EQ(glass.rows[1].adhesive_energy_J_m2, 102.84);
+}
+
+TEST(Measurements, EmptyAndBrokenFiles) {
+  expect_refusal([] { read_measurements("not_there.csv"); }, {"not_there.csv"});
+  refused("", {"drop.csv, line 1", "an empty file"});
+  refused("# only a comment\n", {"an empty file"});
+  refused(kHeader, {"drop.csv, line 1", "a header without rows"});
+  refused("impact_velocity_m_s,impact_velocity_m_s\n1,2\n", {"line 1", "twice"});
+  refused("impact_velocity_m_s,diameter\n1,2\n", {"critical_diameter_um", "diameter"});
+  refused("impact_velocity_m_s;critical_diameter_um\n1;2\n", {"commas, not semicolons"});
+  refused(kHeader + "1.8,66.4\n2.3\n", {"drop.csv, line 3, column 2", "1 cells"});
+  refused(kHeader + "1,8,66,4\n", {"drop.csv, line 2, column 3", "decimal commas"});
+}
+
+TEST(Measurements, ValuesThatCannotBe) {
+  const auto row = [](const std::string& cells) { return kHeader + "2.3,63.8\n" + cells + "\n"; };
+  refused(row("fast,60"), {"drop.csv, line 3, column 'impact_velocity_m_s'", "'fast'"});
+  refused(row("1.8m,60"), {"'1.8m'"});
+  refused(row(",60"), {"an empty cell"});
+  refused(row("nan,60"), {"'nan'", "finite"});
+  refused(row("1.8,inf"), {"column 'critical_diameter_um'", "'inf'"});
+  refused(row("0,60"), {"line 3", "0 m/s"});
+  refused(row("-1,60"), {"-1 m/s"});
+  refused(row("1800,60"), {"mm/s"});
+  refused(row("1.8,0"), {"0 um"});
+  refused(row("1.8,-5"), {"-5 um"});
+  refused(row("1.8,66.4e-6"), {"metres", "write 66.4"});
+  refused("impact_velocity_m_s,critical_diameter_um,contact_time_us\n1.8,60,1e-4\n",
+          {"seconds", "write 100"});
+  refused("impact_velocity_m_s,critical_diameter_um,critical_diameter_sigma_um\n1.8,60,0\n",
+          {"standard deviation"});
+  refused("impact_velocity_m_s,critical_diameter_um,adhesive_energy_J_m2\n1.8,60,-3\n",
+          {"adhesive energy"});
+}
+
+TEST(Checks, LargeAdhesiveEnergyWarnsAboutTheConvention) {
+  EXPECT_TRUE(adhesive_energy_warning(10.0, "here").empty());
+  const std::string warning = adhesive_energy_warning(17.0, "here");
+  for (const char* fragment : {"here", "17", "work of adhesion", "surface energy", "0.01 to 1"}) {
+    EXPECT_NE(warning.find(fragment), std::string::npos) << warning;
+  }
+}
+
+}  // namespace
+}  // namespace powderlink::analysis
