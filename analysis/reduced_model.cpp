@@ -77,7 +77,7 @@ ReducedModel::ReducedModel(KatSetup setup) : setup_(std::move(setup)) {
     if (const auto stop = e->stop()) setup_.stop = *stop;
   }
   contact_ = models::AdhesiveContact(smooth_, effects);
-  gap_ = GapForces(effects);
+  gap_ = models::GapForces(effects);
 }
 
 double ReducedModel::steps_per_period(double period_s) const {

@@ -24,8 +24,8 @@
 #include <memory>
 #include <vector>
 
-#include "analysis/gap_forces.h"
 #include "models/adhesive_contact.h"
+#include "models/gap_forces.h"
 #include "models/material.h"
 #include "models/stop_pulse.h"
 
@@ -78,7 +78,7 @@ class ReducedModel {
   KatSetup setup_;
   models::JkrLaw smooth_;
   models::AdhesiveContact contact_;
-  GapForces gap_;
+  models::GapForces gap_;
   double damping_ratio_ = 0.0;
 };
 

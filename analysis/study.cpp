@@ -22,6 +22,8 @@ constexpr const char* kExperiment = "kat_critical_diameter";
 constexpr const char* kPulseEffect = "finite_stop_pulse";
 constexpr int kFewestParticles = 8;  // with fewer a bracket hardly shrinks from run to run
 constexpr int kMostParticles = 100000;
+// The edge of a rate-dependent contact is first order in time: 1 % of d_c at 0.1 Rayleigh times.
+constexpr double kRateDependentTimeStep = 0.02;
 
 toml::table parse(const std::filesystem::path& file) {
   if (!std::filesystem::is_regular_file(file)) {
@@ -136,8 +138,9 @@ EnergyRange read_energy(const StrictTable& root, bool needed) {
   return {values[0], values[1]};
 }
 
-KatOptions read_kat(const StrictTable& kat) {
+KatOptions read_kat(const StrictTable& kat, bool rate_dependent) {
   KatOptions o;
+  if (rate_dependent) o.time_step_rayleigh = kRateDependentTimeStep;
   const auto choice = [&](const char* key, const char* first, const char* second) {
     const std::string word = kat.text(key).value_or(first);
     if (word != first && word != second) {
@@ -236,7 +239,11 @@ Study read_study(const std::filesystem::path& file) {
   const StrictTable kat =
       root.table("kat", {"velocities_m_s", "wall", "frame", "time_step_rayleigh", "restitution",
                          "particles", "resolution", "diameter_range_um"});
-  study.kat = read_kat(kat);
+  const bool rate_dependent =
+      std::any_of(study.effects.begin(), study.effects.end(), [](const EffectChoice& e) {
+        return models::make_effect(e.name, e.parameters)->rate_dependent();
+      });
+  study.kat = read_kat(kat, rate_dependent);
   read_rows(root, about, kat, study);
 
   const bool energy_in_rows = study.rows.front().adhesive_energy_J_m2.has_value();

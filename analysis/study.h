@@ -10,8 +10,8 @@
 ///   [effect.NAME]  parameters of that effect            absent ones have their typical values
 ///   [fit]        adhesive_energy_J_m2 = [low, high]     bounds of a fit; a single number fixes it
 ///   [kat]        all optional: velocities_m_s = [...] (without a measurement file), wall =
-///                "primitive"|"mesh", frame = "plate"|"moving", time_step_rayleigh = 0.1,
-///                restitution = 1.0, particles = 64, resolution = 0.002,
+///                "primitive"|"mesh", frame = "plate"|"moving", time_step_rayleigh = 0.1
+///                (0.02 with a rate-dependent effect), restitution = 1.0, particles = 64, resolution = 0.002,
 ///                diameter_range_um = [low, high]
 ///
 /// Unknown keys, unknown names and impossible values are InvalidInput with file, line and key.
@@ -37,7 +37,7 @@ struct EffectChoice {
 struct KatOptions {
   bool mesh_wall = false;
   bool moving_frame = false;
-  double time_step_rayleigh = 0.1;  ///< of the smallest particle, (0, 0.5]
+  double time_step_rayleigh = 0.1;  ///< of the smallest particle, (0, 0.5]; 0.02 if rate dependent
   double restitution = 1.0;         ///< of the Hertz contact
   int particles = 64;               ///< per run
   double resolution = 0.002;        ///< relative width of the final bracket of d_c

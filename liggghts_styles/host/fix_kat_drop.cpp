@@ -67,8 +67,9 @@ void FixKatDrop::init() {
         "gravity; given: a fix gravity beside fix kat/drop; allowed: one of them, because the test "
         "must know what pulls; to do: remove fix gravity and use the keyword gravity");
   }
-  effects_ = FixAdhesionEffect::active(lmp);
-  for (const models::Effect* effect : effects_) {
+  const std::vector<const models::Effect*> effects = FixAdhesionEffect::active(lmp);
+  gap_forces_ = models::GapForces(effects);
+  for (const models::Effect* effect : effects) {
     if (!effect->stop()) continue;
     if (options_.stop_given) {
       stop(
@@ -83,7 +84,7 @@ void FixKatDrop::init() {
     laws_[t] = models::AdhesiveContact(
         models::JkrLaw(models::effective_youngs_modulus_Pa(material(t), material(plate)),
                        pair_property("workOfAdhesion", t, plate)),
-        effects_);
+        effects);
   }
 }
 
@@ -91,24 +92,6 @@ models::JkrLaw FixKatDrop::law_of(int type, double radius) const { return laws_[
 
 double FixKatDrop::gap_m(int i) const {
   return (atom->x[i][options_.axis] - plate_position_) * options_.direction - atom->radius[i];
-}
-
-double FixKatDrop::gap_force_N(int i, double gap) const {
-  double force = 0.0;
-  for (const models::Effect* e : effects_) {
-    if (e->formed_by_touch() && array_atom[i][kBridge] == 0.0) continue;
-    force += e->gap_force_N(gap, atom->radius[i]);
-  }
-  return force;
-}
-
-double FixKatDrop::gap_energy_J(int i, double gap) const {
-  double energy = 0.0;
-  for (const models::Effect* e : effects_) {
-    if (e->formed_by_touch() && array_atom[i][kBridge] == 0.0) continue;
-    energy += e->gap_energy_J(gap, atom->radius[i]);
-  }
-  return energy;
 }
 
 double FixKatDrop::contact_period_s(int i) const {
@@ -150,16 +133,13 @@ void FixKatDrop::post_force(int /*vflag*/) {
     if (!(atom->mask[i] & groupbit)) continue;
     const double gap = gap_m(i);
     double* state = array_atom[i];
-    if (!effects_.empty() && state[kBridge] != 0.0) {
-      double range = 0.0;
-      for (const models::Effect* e : effects_) {
-        if (e->formed_by_touch()) range = std::max(range, e->range_m(atom->radius[i]));
-      }
-      if (gap > range) state[kBridge] = 0.0;
-    } else if (gap <= 0.0) {
+    if (gap <= 0.0) {
       state[kBridge] = 1.0;
+    } else if (bridged(i) && gap > gap_forces_.bridge_range_m(atom->radius[i])) {
+      state[kBridge] = 0.0;
     }
-    const double own = atom->rmass[i] * acceleration + gap_force_N(i, gap);
+    const double own =
+        atom->rmass[i] * acceleration + gap_forces_.force_N(gap, atom->radius[i], bridged(i));
     if (counts) account(i, own, gap);
     atom->f[i][k] += options_.direction * own;
     if (phase_ == Phase::settle && !update->setupflag) {

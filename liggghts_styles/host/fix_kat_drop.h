@@ -19,7 +19,8 @@
 ///                a grain
 ///                [-], sums of kinetic, potential, dissipated energy and of the work of inertia and
 ///                gravity [J]
-/// f_ID[1..9]     per atom: attached (0, 1, 2 bound across the gap), speed away from the plate
+/// f_ID[1..9]     per atom: attached (0, 1, or 2: not in contact but bound across the gap or on its
+///                way back), speed away from the plate
 /// [m/s],
 ///                contact radius [m], kinetic, potential, dissipated energy, work of inertia,
 ///                gravity and gap forces [J], energy residual over the impact energy, momentum
@@ -39,6 +40,7 @@
 #include "host/kat_drop_options.h"
 #include "host/plate_contacts.h"
 #include "models/adhesive_contact.h"
+#include "models/gap_forces.h"
 #include "models/material.h"
 
 namespace powderlink::host {
@@ -109,8 +111,7 @@ class FixKatDrop : public LAMMPS_NS::Fix {
   // --- physics of one grain on the plate
   models::JkrLaw law_of(int type, double radius) const;
   double gap_m(int i) const;
-  double gap_force_N(int i, double gap) const;
-  double gap_energy_J(int i, double gap) const;
+  bool bridged(int i) const { return array_atom[i][kBridge] != 0.0; }
   double contact_period_s(int i) const;
   models::Material material(int type) const;
   double pair_property(const char* name, int i, int j) const;
@@ -131,7 +132,7 @@ class FixKatDrop : public LAMMPS_NS::Fix {
 
   KatDropOptions options_;
   std::unique_ptr<PlateContacts> contacts_;
-  std::vector<const models::Effect*> effects_;
+  models::GapForces gap_forces_;
   std::vector<models::AdhesiveContact> laws_;  ///< by atom type
   Phase phase_ = Phase::settle;
   bool restarted_ = false;

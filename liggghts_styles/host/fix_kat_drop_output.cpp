@@ -80,7 +80,7 @@ void FixKatDrop::account(int i, double own_force, double gap) {
   const double plate_speed =
       options_.moving_frame ? plate_half_speed_ + h * deceleration_now() : 0.0;
   const double root = contacts_->root(i);
-  const double gap_energy = gap_energy_J(i, gap);
+  const double gap_energy = gap_forces_.energy_J(gap, atom->radius[i], bridged(i));
   state[kSpeed] = speed - plate_speed;
   state[kContactRadius] = root * root;
   state[kKinetic] = 0.5 * m * now2;
@@ -96,9 +96,9 @@ void FixKatDrop::account(int i, double own_force, double gap) {
   if (root > 0.0) {
     state[kAttached] = 1.0;
   } else {
-    const bool bound =
-        gap_energy < 0.0 && 0.5 * m * state[kSpeed] * std::fabs(state[kSpeed]) + gap_energy < 0.0;
-    state[kAttached] = bound ? 2.0 : 0.0;
+    const bool left = gap_forces_.let_go(gap, atom->radius[i], m, state[kSpeed],
+                                         m * options_.gravity_m_s2, bridged(i));
+    state[kAttached] = left ? 0.0 : 2.0;
   }
 }
 

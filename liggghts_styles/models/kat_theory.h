@@ -3,11 +3,11 @@
 /// Closed forms of the Kinetic Adhesion Test (KAT): critical diameter and adhesive energy.
 ///
 ///   instant stop       1/2 m v^2 = W(C->D), W = 1.0107 (9 pi^5 Gamma^5 R^4 / K^2)^(1/3)
-///                      Gamma = v^(6/5) R_c (8 K^2 rho^3 / (3^5 pi^2 1.0107^3))^(1/5)     Eq. 4.5
-///   slow stop          m a = 1.5 pi Gamma R,  R_c^2 = 9 Gamma / (8 rho a)   (a: plate
-///   deceleration) contact radius     Gamma = a0^3 K / (6 pi R^2) Eq. 4.7 rebound time       Gamma
-///   = 8/9 rho R_c^2 v / t_d, t_d = t_r/2,
-///                      t_r = 2.865 (m^2 / (R E*^2 v))^(1/5)                       Eqs. 2.4, 4.10
+///                      Gamma = v^(6/5) R_c (8 K^2 rho^3 / (3^5 pi^2 1.0107^3))^(1/5)  Eq. 4.5
+///   slow stop          m a = 1.5 pi Gamma R, R_c^2 = 9 Gamma/(8 rho a), a: plate's deceleration
+///   contact radius     Gamma = a0^3 K / (6 pi R^2)                                    Eq. 4.7
+///   rebound time       Gamma = 8/9 rho R_c^2 v / t_d, t_d = t_r/2,
+///                      t_r = 2.865 (m^2 / (R E*^2 v))^(1/5)                  Eqs. 2.4, 4.10
 ///   touch and go       1/2 m* v_s^2 = W(A->D)       (sticking speed of an undamped sphere)
 ///
 /// Symbols: Gamma work of adhesion of the interface [J/m^2], K = 4/3 E* [Pa], R_c critical radius

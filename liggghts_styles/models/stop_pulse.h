@@ -12,7 +12,8 @@
 /// Symbols: v impact speed [m/s], tau duration [s], e_p rebound of the plate [-].
 /// Validity: the plate is stiff and much heavier than the powder on it.
 /// Source: thesis of L. Pedrolli, Section 4.3; Johnson, Contact Mechanics, Section 11.4
-/// (sin^(3/2)). Tests: tests/models/stop_pulse_test.cpp
+/// (sin^(3/2)).
+/// Tests: tests/models/stop_pulse_test.cpp
 #pragma once
 
 #include <algorithm>
