@@ -35,8 +35,6 @@ void run(const Options& o) {
   const Study study = read_study(o.study);
   for (const std::string& note : study.notes) fmt::print(stderr, "powderlink: {}\n", note);
 
-  if (!o.json.empty()) require_folder_of(o.json);
-
   KatRunOptions run;
   run.runner = {find_liggghts(), o.wall_limit_s};
   run.out = o.out.empty() ? fs::path(o.study).parent_path() / "results" : fs::path(o.out);
@@ -49,6 +47,7 @@ void run(const Options& o) {
   if (problem) {
     throw InvalidInput("--out", run.out.string(), "a folder that may be made", problem.message());
   }
+  if (!o.json.empty()) require_folder_of(o.json);
 
   const RowEnergies energies = row_energies(study);
   if (energies.fitted) {

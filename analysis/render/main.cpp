@@ -38,7 +38,7 @@ class Meter {
 };
 
 struct Arguments {
-  std::string run, output;
+  std::string run, picture_file = "kat.png", table_file;
   std::optional<double> time_step_s;
   PictureOptions picture;
 };
@@ -61,7 +61,7 @@ int run(int argc, char** argv) {
 
   auto* png = app.add_subcommand("png", "draw a picture, no display needed");
   add_common(png, arguments);
-  png->add_option("-o,--output", arguments.output, "the picture")->default_val("kat.png");
+  png->add_option("-o,--output", arguments.picture_file, "the picture")->capture_default_str();
   auto* time = png->add_option("--time", arguments.picture.time_s, "one state, nearest to T [s]");
   auto* last = png->add_flag("--last", arguments.picture.last, "one state, the last one");
   auto* frames = png->add_option("--frames", arguments.picture.frames,
@@ -78,15 +78,15 @@ int run(int argc, char** argv) {
 
   auto* table = app.add_subcommand("table", "kat_results.json as columns for gnuplot");
   table->add_option("run", arguments.run, "folder of a drop test")->required();
-  table->add_option("-o,--output", arguments.output, "default: standard output");
+  table->add_option("-o,--output", arguments.table_file, "default: standard output");
 
   CLI11_PARSE(app, argc, argv);
   if (*table) {
     const std::string text = residual_table(read_results(arguments.run), arguments.run);
-    if (arguments.output.empty()) {
+    if (arguments.table_file.empty()) {
       std::cout << text;
     } else {
-      write_file(arguments.output, text);
+      write_file(arguments.table_file, text);
     }
     return 0;
   }
@@ -96,8 +96,8 @@ int run(int argc, char** argv) {
     std::cout << written.states << " states: " << written.particles_pvd.string() << ", "
               << written.plate_pvd.string() << '\n';
   } else {
-    write_picture(directory, arguments.output, arguments.picture);
-    std::cout << arguments.output << '\n';
+    write_picture(directory, arguments.picture_file, arguments.picture);
+    std::cout << arguments.picture_file << '\n';
   }
   return 0;
 }

@@ -186,11 +186,42 @@ void FixKatDrop::end_of_step() {
   if (phase_ == Phase::stop && t >= options_.stop.duration_s()) phase_ = Phase::watch;
   if (phase_ == Phase::watch && t >= options_.stop.duration_s() + watch_s_) {
     phase_ = Phase::over;
-    write_results(summarize());
+    const Summary summary = summarize();
+    check_complete(summary);
+    write_results(summary);
+  }
+}
+
+/// A grain that adhesion cannot carry drops off while the others settle.
+void FixKatDrop::check_fallen() const {
+  double counts[2] = {0.0, 0.0};  // placed on the plate; fallen off
+  double largest_held = 0.0;
+  for (int i = 0; i < atom->nlocal; ++i) {
+    if (!(atom->mask[i] & groupbit) || array_atom[i][kTakesPart] == 0.0) continue;
+    const bool held = contacts_->root(i) > 0.0;
+    counts[0] += 1.0;
+    counts[1] += held ? 0.0 : 1.0;
+    if (held) largest_held = std::max(largest_held, 2.0 * atom->radius[i]);
+  }
+  MPI_Sum_Vector(counts, 2, world);
+  MPI_Max_Scalar(largest_held, world);
+  if (counts[0] == 0.0) {
+    stop(
+        "start; given: no grain on the plate; allowed: grains within a tenth of their radius of "
+        "it; to do: use populate, or place the grains beside the plate on the side to which it "
+        "falls");
+  }
+  if (counts[1] > 0.0) {
+    stop("settling; given: " + text(counts[1]) + " of " + text(counts[0]) +
+         " grains fell off under their weight; allowed: grains that adhesion carries; to do: use "
+         "smaller grains" +
+         (largest_held > 0.0 ? " (" + text(largest_held * 1e6) + " um holds)" : std::string()) +
+         ", a larger workOfAdhesion or gravity 0");
   }
 }
 
 void FixKatDrop::begin_impact() {
+  check_fallen();
   phase_ = Phase::stop;
   impact_step_ = update->ntimestep;
   const int k = options_.axis;
@@ -208,6 +239,7 @@ void FixKatDrop::begin_impact() {
     for (int d = 0; d < 3; ++d) atom->v[i][d] = atom->omega[i][d] = 0.0;
     atom->v[i][k] = options_.direction * grain_speed;
     state[kTakesPart] = root > 0.0 ? 1.0 : 0.0;
+    taking_part_ += state[kTakesPart];
     state[kAttached] = state[kTakesPart];
     state[kBridge] = state[kTakesPart];
     state[kKineticAtImpact] = -1.0;  // taken in the first step
@@ -215,6 +247,7 @@ void FixKatDrop::begin_impact() {
     state[kContactEnergyAtImpact] =
         root > 0.0 ? law_of(atom->type[i], atom->radius[i]).energy_J(root, atom->radius[i]) : 0.0;
   }
+  MPI_Sum_Scalar(taking_part_, world);
 }
 
 int FixKatDrop::next_chunk_steps() const {

@@ -120,6 +120,8 @@ class FixKatDrop : public LAMMPS_NS::Fix {
   void populate();
   void prepare_moving_plate();
   void place_at_equilibrium();
+  void check_fallen() const;
+  void check_complete(const Summary& summary) const;
   void check_before_run();
   void begin_impact();
   bool settled() const;
@@ -143,6 +145,7 @@ class FixKatDrop : public LAMMPS_NS::Fix {
   double plate_half_speed_ = 0.0;  ///< along the fall, of the step to come [m/s]
   double settle_limit_s_ = 0.0;
   double watch_s_ = 0.0;
+  double taking_part_ = 0.0;  ///< grains in contact at the impact
 };
 
 }  // namespace powderlink::host

@@ -154,6 +154,24 @@ FixKatDrop::Summary FixKatDrop::summarize() const {
   return s;
 }
 
+/// Grains that left the box are gone without a word from LIGGGHTS; sizes may all stay or all leave.
+void FixKatDrop::check_complete(const Summary& s) const {
+  const double lost = taking_part_ - s.attached - s.detached;
+  if (lost > 0.5) {
+    stop("box; given: " + std::to_string(std::lround(lost)) + " of " +
+         std::to_string(std::lround(taking_part_)) +
+         " grains left it and were deleted; allowed: all grains inside until the end; to do: "
+         "'boundary m "
+         "m m', or a box that is deeper along the fall");
+  }
+  if (s.critical_diameter > 0.0 || comm->me != 0) return;
+  const std::string message =
+      std::string("fix kat/drop: the sizes do not bracket the critical diameter: ") +
+      (s.attached > 0.0 ? "every grain stayed; add larger grains"
+                        : "every grain left; add smaller ones");
+  error->warning(FLERR, message.c_str());
+}
+
 void FixKatDrop::write_results(const Summary& s) const {
   if (options_.results_file.empty()) return;
   std::vector<KatGrainResult> grains;

@@ -37,6 +37,12 @@ std::string text(double value) {
 
 void FixKatDrop::post_create() {
   contacts_ = std::make_unique<PlateContacts>(lmp, this, options_.wall_id);
+  if (options_.moving_frame && restarted_) {
+    stop(
+        "frame moving; given: a restart, where LIGGGHTS puts the mesh back to its first place; "
+        "allowed: frame plate in runs that are restarted; to do: use frame plate, which gives the "
+        "same result");
+  }
   if (options_.moving_frame) prepare_moving_plate();
   if (options_.populate_type > 0 && !restarted_) populate();
 }
@@ -103,8 +109,6 @@ void FixKatDrop::populate() {
     modify->fix[m]->pre_set_arrays();
     for (int i = first; i < atom->nlocal; ++i) modify->fix[m]->set_arrays(i);
   }
-  // This fix is not in the list yet when it creates its grains on first use.
-  for (int i = first; i < atom->nlocal; ++i) set_arrays(i);
   bigint local = atom->nlocal;
   const bigint before = atom->natoms;
   MPI_Allreduce(&local, &atom->natoms, 1, MPI_LMP_BIGINT, MPI_SUM, world);
@@ -136,8 +140,7 @@ void FixKatDrop::setup_pre_exchange() {
   if (period == 0.0) {
     stop(
         "group of the fix; given: no particles; allowed: at least one grain; to do: use populate, "
-        "or "
-        "create the grains before the run");
+        "or create the grains before the run");
   }
   settle_limit_s_ =
       options_.settle_limit_s > 0.0 ? options_.settle_limit_s : kSettlePeriods * period;
@@ -172,6 +175,8 @@ void FixKatDrop::check_before_run() {
     if (!(atom->mask[i] & groupbit)) continue;
     models::Material m = material(atom->type[i]);
     m.density_kg_m3 = atom->density[i];
+    // Here and not where it is placed: LIGGGHTS clears the state of a new fix in between.
+    if (std::fabs(gap_m(i)) < kPlaceWithin * atom->radius[i]) array_atom[i][kTakesPart] = 1.0;
     fraction = std::max(fraction, update->dt / models::rayleigh_time_s(atom->radius[i], m));
   }
   MPI_Max_Scalar(fraction, world);

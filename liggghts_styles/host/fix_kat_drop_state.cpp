@@ -40,7 +40,8 @@ void FixKatDrop::write_restart(FILE* file) {
                          plate_position_,
                          plate_half_speed_,
                          settle_limit_s_,
-                         watch_s_};
+                         watch_s_,
+                         taking_part_};
   if (comm->me != 0) return;
   const int size = sizeof(list);
   fwrite(&size, sizeof(int), 1, file);
@@ -48,7 +49,7 @@ void FixKatDrop::write_restart(FILE* file) {
 }
 
 void FixKatDrop::restart(char* buf) {
-  double list[7];
+  double list[8];
   std::memcpy(list, buf, sizeof(list));
   phase_ = static_cast<Phase>(static_cast<int>(list[0]));
   start_step_ = static_cast<bigint>(list[1]);
@@ -57,6 +58,7 @@ void FixKatDrop::restart(char* buf) {
   plate_half_speed_ = list[4];
   settle_limit_s_ = list[5];
   watch_s_ = list[6];
+  taking_part_ = list[7];
   restarted_ = placed_ = true;
 }
 

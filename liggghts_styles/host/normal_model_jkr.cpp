@@ -58,8 +58,18 @@ void JkrNormalModel::postSettings() {
 
 double JkrNormalModel::property(PropertyRegistry& registry, const char* name, int i, int j) const {
   const int n = registry.max_type();
-  return registry.getGlobalProperty(name, "property/global", "peratomtypepair", n, n, "model jkr")
-      ->compute_array(i - 1, j - 1);
+  auto* fix = static_cast<FixPropertyGlobal*>(modify->find_fix_property(
+      name, "property/global", "peratomtypepair", n, n, "model jkr", false));
+  if (fix == nullptr) {
+    const std::string size = std::to_string(n);
+    stop_all(lmp, FLERR, nullptr,
+             std::string("model jkr: ") + name +
+                 "; given: no fix property/global of that name; allowed: "
+                 "a matrix for " +
+                 size + " types; to do: fix ID all property/global " + name + " peratomtypepair " +
+                 size + " ...");
+  }
+  return fix->compute_array(i - 1, j - 1);
 }
 
 void JkrNormalModel::check_host() const {

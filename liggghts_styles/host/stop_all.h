@@ -2,27 +2,43 @@
 /// \file stop_all.h
 /// Ends the run on all ranks with one message, exit status 1.
 ///
-/// LIGGGHTS's Error::fix_error() prints a string that it has freed before (3.8.0, error.cpp); this
-/// goes through Error::all() with the same words.
+/// LIGGGHTS's own Error::all() and Error::fix_error() append text that they have freed before (3.8.0,
+/// error.cpp); this prints the same line without it.
 #pragma once
 
+#include <cstdio>
 #include <cstdlib>
 #include <string>
 
-#include "error.h"
+#include <mpi.h>
+
 #include "fix.h"
 #include "lammps.h"
 
 namespace powderlink::host {
 
-/// To be called by all ranks. \param where file and line, LIGGGHTS's FLERR
+/// To be called by all ranks. \param file, line where: LIGGGHTS's FLERR
 [[noreturn]] inline void stop_all(LAMMPS_NS::LAMMPS* lmp, const char* file, int line,
                                   const LAMMPS_NS::Fix* fix, const std::string& message) {
-  const std::string text =
-      fix == nullptr ? message
-                     : std::string("Fix ") + fix->style + " (id " + fix->id + "): " + message;
-  lmp->error->all(file, line, text.c_str());
-  std::abort();  // not reached
+  MPI_Barrier(lmp->world);
+  int rank = 0;
+  MPI_Comm_rank(lmp->world, &rank);
+  if (rank == 0) {
+    const std::string who = fix == nullptr
+                                ? std::string()
+                                : std::string("Fix ") + fix->style + " (id " + fix->id + "): ";
+    for (std::FILE* out : {lmp->screen, lmp->logfile}) {
+      if (out == nullptr) continue;
+      std::fprintf(out, "ERROR: %s%s (%s:%d)\n", who.c_str(), message.c_str(), file, line);
+      std::fflush(out);
+    }
+  }
+  int ours = 0, all = 0;
+  MPI_Comm_size(lmp->world, &ours);
+  MPI_Comm_size(MPI_COMM_WORLD, &all);
+  if (all > ours) MPI_Abort(MPI_COMM_WORLD, 1);  // a coupled job: the other program must stop too
+  MPI_Finalize();
+  std::exit(1);
 }
 
 }  // namespace powderlink::host

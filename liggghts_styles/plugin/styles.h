@@ -12,7 +12,7 @@ namespace powderlink::plugin {
 /// To be called after the instance exists and before it reads its input.
 void register_styles(LAMMPS_NS::LAMMPS* lmp);
 
-/// Text that `liggghts-powderlink -h` prints below LIGGGHTS's own help.
+/// Text that `liggghts-powderlink -h` prints above LIGGGHTS's own help.
 const char* help();
 
 }  // namespace powderlink::plugin

@@ -73,6 +73,10 @@ const BadCase cases[] = {
     {"cohesion", "model jkr tangential off\n", "model jkr tangential off cohesion sjkr\n", "sjkr"},
     {"rolling", "model jkr tangential off\n",
      "model jkr tangential history rolling_friction epsd\n", "epsd"},
+    {"missing_gamma", "workOfAdhesion peratomtypepair", "otherName peratomtypepair",
+     "workOfAdhesion"},
+    {"weight", "workOfAdhesion peratomtypepair 2 0 1 1 0",
+     "workOfAdhesion peratomtypepair 2 0 1e-9 1e-9 0", "fell off"},
     {"stop_file", "stop instant", "stop file nothing.txt", "stop file"},
 };
 
@@ -114,6 +118,44 @@ TEST(BadInputExtra, GrainDeepInThePlateIsRefused) {
             "fix kat all kat/drop wall plate plate zplane 0.0 velocity 1.0\nkat/run kat\n");
   EXPECT_NE(o.status, 0);
   EXPECT_NE(o.output.find("overlaps the plate"), std::string::npos) << o.output;
+}
+
+TEST(BadInputExtra, GrainsThatLeaveTheBoxAreCounted) {
+  std::string text = good_script();
+  text.replace(text.find("boundary m m m"), 14, "boundary f f f");
+  text.replace(text.find("-2e-3 2e-4"), 10, "-8e-5 2e-4");
+  text.replace(text.find("velocity 1.0"), 12, "velocity 10");
+  const LiggghtsCase c("bad_lost");
+  const Outcome o = c.run(text);
+  EXPECT_NE(o.status, 0);
+  EXPECT_NE(o.output.find("grains left it"), std::string::npos) << o.output;
+  EXPECT_FALSE(std::filesystem::exists(c.folder() / "kat.json"));
+}
+
+TEST(BadInputExtra, MovingPlateIsNotRestarted) {
+  std::string text = good_script();
+  const std::string wall = "primitive type 2 zplane 0.0";
+  text.replace(text.find(wall), wall.size(), "mesh n_meshes 1 meshes cad");
+  text.insert(text.find("fix plate"),
+              "fix cad all mesh/surface file plate.stl type 2 precision 1e-12\n");
+  text.replace(text.find("stop instant"), 12, "frame moving");
+  const LiggghtsCase c("bad_moving_restart");
+  c.write_plate("plate.stl", 3.9e-4, 4);
+  text.replace(text.find("kat/run kat"), 11, "run 3000\nwrite_restart middle.restart");
+  Outcome o = c.run(text);
+  ASSERT_EQ(o.status, 0) << o.output;
+  const auto box = text.find("region box");
+  text.replace(box, text.find("neighbor") - box, "read_restart middle.restart\n");
+  o = c.run(text);
+  EXPECT_NE(o.status, 0);
+  EXPECT_NE(o.output.find("frame moving"), std::string::npos) << o.output;
+}
+
+TEST(BadInputExtra, SizesThatDoNotBracketAreWarnedOf) {
+  std::string text = good_script();
+  text.replace(text.find("velocity 1.0"), 12, "velocity 100");
+  const Outcome o = LiggghtsCase("warn_bracket").run(text);
+  EXPECT_NE(o.output.find("every grain left; add smaller ones"), std::string::npos) << o.output;
 }
 
 TEST(BadInputExtra, SurfaceEnergyInOtherUnitsIsWarnedOf) {
