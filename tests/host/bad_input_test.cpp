@@ -89,33 +89,29 @@ TEST(BadInputExtra, GoodScriptRuns) {
   EXPECT_EQ(o.status, 0) << o.output;
 }
 
-TEST(BadInputExtra, OverlappingGrainsAreNamed) {
+Outcome drop_of(const std::string& name, const std::vector<Sphere>& spheres) {
   Setting s;
   s.work_of_adhesion = 1.0;
+  const LiggghtsCase c(name);
+  c.write_spheres("spheres.data", spheres, 3e-4);
+  return c.run(header(s, "spheres.data") + primitive_plate(s) +
+               "fix integrate all nve/sphere\n"
+               "fix kat all kat/drop wall plate plate zplane 0.0 velocity 1.0\nkat/run kat\n");
+}
+
+TEST(BadInputExtra, OverlappingGrainsAreNamed) {
   std::vector<Sphere> spheres(2);
   for (Sphere& sphere : spheres) sphere.x[2] = -23e-6;
   spheres[1].x[0] = 40e-6;  // diameters are 46 um
-  const LiggghtsCase c("bad_overlap");
-  c.write_spheres("spheres.data", spheres, 3e-4);
-  const Outcome o =
-      c.run(header(s, "spheres.data") + primitive_plate(s) +
-            "fix integrate all nve/sphere\n"
-            "fix kat all kat/drop wall plate plate zplane 0.0 velocity 1.0\nkat/run kat\n");
+  const Outcome o = drop_of("bad_overlap", spheres);
   EXPECT_NE(o.status, 0);
   EXPECT_NE(o.output.find("grains 1 and 2 overlap"), std::string::npos) << o.output;
 }
 
 TEST(BadInputExtra, GrainDeepInThePlateIsRefused) {
-  Setting s;
-  s.work_of_adhesion = 1.0;
   std::vector<Sphere> spheres(1);
   spheres[0].x[2] = -10e-6;
-  const LiggghtsCase c("bad_deep");
-  c.write_spheres("spheres.data", spheres, 3e-4);
-  const Outcome o =
-      c.run(header(s, "spheres.data") + primitive_plate(s) +
-            "fix integrate all nve/sphere\n"
-            "fix kat all kat/drop wall plate plate zplane 0.0 velocity 1.0\nkat/run kat\n");
+  const Outcome o = drop_of("bad_deep", spheres);
   EXPECT_NE(o.status, 0);
   EXPECT_NE(o.output.find("overlaps the plate"), std::string::npos) << o.output;
 }

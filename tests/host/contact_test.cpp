@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "liggghts_case.h"
+#include "materials.h"
 #include "models/kat_theory.h"
-#include "models/material.h"
 #include "models/rayleigh_time.h"
 
 namespace powderlink::testing {
@@ -15,8 +15,6 @@ namespace {
 
 using namespace powderlink::models;
 
-const Material steel{"316L", 7980.0, 2.11e11, 0.3};
-const Material upvc{"UPVC", 1440.0, 3.0e9, 0.3};
 constexpr double kRadius = 23e-6;
 constexpr double kHalf = 300e-6;
 

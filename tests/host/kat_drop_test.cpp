@@ -9,8 +9,8 @@
 #include <nlohmann/json.hpp>
 
 #include "liggghts_case.h"
+#include "materials.h"
 #include "models/kat_theory.h"
-#include "models/material.h"
 #include "models/rayleigh_time.h"
 
 namespace powderlink::testing {
@@ -18,10 +18,6 @@ namespace {
 
 using namespace powderlink::models;
 using nlohmann::json;
-
-const Material steel{"316L", 7980.0, 2.11e11, 0.3};
-const Material glass{"borosilicate_glass", 2510.0, 7.3e10, 0.2};
-const Material upvc{"UPVC", 1440.0, 3.0e9, 0.3};
 
 constexpr double kInstantTolerance = 2e-3;  // required of the instant stop
 constexpr double kPulseTolerance = 5e-3;    // required of the half-sine stop
