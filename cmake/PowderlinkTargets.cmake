@@ -159,7 +159,7 @@ function(powderlink_test name)
   # gtest_discover_tests loses properties that are lists (labels, environment); ctest reads this
   # file after the one with the discovered cases.
   set(properties_file ${CMAKE_CURRENT_BINARY_DIR}/${name}_properties.cmake)
-  file(CONFIGURE OUTPUT ${properties_file} @ONLY CONTENT [[
+  string(CONFIGURE [[
 if(@name@_test_cases)
   set_tests_properties(${@name@_test_cases} PROPERTIES
     LABELS "@arg_LABELS@"
@@ -168,7 +168,8 @@ if(@name@_test_cases)
     ENVIRONMENT "@environment@"
     RUN_SERIAL @arg_RUN_SERIAL@)
 endif()
-]])
+]] properties @ONLY)
+  file(GENERATE OUTPUT ${properties_file} CONTENT "${properties}")
   set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES ${properties_file})
 endfunction()
 

@@ -15,6 +15,8 @@ struct BadCase {
   const char* message;     ///< part of what must be said
 };
 
+void PrintTo(const BadCase& c, std::ostream* out) { *out << c.name; }
+
 std::string good_script() {
   Setting s;
   s.work_of_adhesion = 1.0;
