@@ -3,7 +3,7 @@
 # in turn in one run, so that the ratios hold when the machine's speed drifts.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
-launcher=${1:?launcher: build/bin/liggghts-powderlink}
+launcher=$(realpath "${1:?launcher: build/bin/liggghts-powderlink}")
 repeats=${2:-5}
 steps=2000
 work=$(mktemp -d)

@@ -2,7 +2,7 @@
 # bench/kat/run.sh LAUNCHER: wall time of a whole KAT of 2 000 and of 10 000 grains on one core.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
-launcher=${1:?launcher: build/bin/liggghts-powderlink}
+launcher=$(realpath "${1:?launcher: build/bin/liggghts-powderlink}")
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cd "$work"

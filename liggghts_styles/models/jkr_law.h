@@ -12,8 +12,9 @@
 ///
 /// With s = sqrt(a) and c = sqrt(2 pi Gamma/E*) the law is polynomial, delta = s^4/R* - c s, and
 /// needs neither the equilibrium radius a0 nor a cube root while a contact lives: s of the last
-/// step is the start of a Newton iteration that takes two or three turns. The curve is convex on
-/// the stable branch, so the iteration approaches the root from above and cannot miss it.
+/// step is the start of one Halley step and, where that is not enough, of a Newton iteration. The
+/// curve is convex on the stable branch, so Newton approaches the root from above and cannot miss
+/// it.
 ///
 /// Hysteresis: a contact starts at delta >= 0 and lives until delta < tear_off_overlap().
 /// Validity: Tabor parameter above about 5, a << R*. Gamma = 0 gives Hertz.
@@ -58,7 +59,7 @@ class JkrLaw {
 
   /// sqrt(a) on the stable branch, from the value of the step before. Not to be called once torn().
   double next_root(double overlap, double radius, double root) const {
-    if (newton(overlap, radius, root)) return root;
+    if (halley(overlap, radius, root) || newton(overlap, radius, root)) return root;
     // A neck that was at the tear-off point itself, where Newton's slope vanishes: start from
     // above.
     root = upper_bound(overlap, radius);
@@ -117,6 +118,23 @@ class JkrLaw {
     return std::cbrt(c_ * radius) + std::sqrt(std::sqrt(std::fmax(overlap, 0.0) * radius));
   }
 
+  /// One step of third order: enough for a contact that moves as little as it does in a time step
+  /// of 0.1 Rayleigh times. False, with `root` improved or as it was, when that is not sure.
+  bool halley(double overlap, double radius, double& root) const {
+    // The law times R: that factor cancels in every ratio, and a division is saved.
+    const double square = root * root;
+    const double slope = 4.0 * square * root - c_ * radius;
+    const double curvature = 12.0 * square;
+    const double value = square * square - (c_ * root + overlap) * radius;
+    // Kantorovich's condition: the root is near and the slope does not vanish before it.
+    if (!(slope > 0.0 && std::fabs(value * curvature) < 0.1 * slope * slope)) return false;
+    const double step = 2.0 * value * slope / (2.0 * slope * slope - value * curvature);
+    root -= step;
+    // Halley's error after this step is below (f''/(2 f'))^2 step^3.
+    return 0.25 * curvature * curvature * std::fabs(step * step * step) <=
+           kHalleyError * root * slope * slope;
+  }
+
   /// Moves root to the solution; false when the slope vanishes or the turns do not suffice.
   bool newton(double overlap, double radius, double& root) const {
     const double inv_radius = 1.0 / radius;
@@ -136,6 +154,7 @@ class JkrLaw {
   }
 
   static constexpr int kMaxIterations = 60;        // near tear-off Newton only halves the error
+  static constexpr double kHalleyError = 1e-11;    // of sqrt(a); 6e-11 of the force
   static constexpr double kRelativeError = 1e-13;  // of sqrt(a)
   double modulus_ = 1.0;
   double c_ = 0.0;  ///< sqrt(2 pi Gamma / E*) [m^(1/2)]
