@@ -18,6 +18,7 @@
 #include <boost/math/tools/toms748_solve.hpp>
 
 #include "models/effect.h"
+#include "models/jkr_edge.h"
 #include "models/jkr_law.h"
 
 namespace powderlink::models {
@@ -53,7 +54,7 @@ class AdhesiveContact {
       // the energy release rate.
       const bool opened = a * a > overlap * radius;
       if (opened &&
-          law.energy_release_rate_J_m2(a, overlap, radius) > law.work_of_adhesion_J_m2()) {
+          energy_release_rate_J_m2(law, a, overlap, radius) > law.work_of_adhesion_J_m2()) {
         return recede(law, overlap, radius, root, dt);
       }
       return law.torn(overlap, radius) ? root : law.first_root(overlap, radius);
@@ -63,7 +64,7 @@ class AdhesiveContact {
 
   /// Force at the state that advance() returned [N].
   double force_N(const JkrLaw& law, double overlap, double radius, double root) const {
-    return rate_dependent_ ? law.force_off_equilibrium_N(root * root, overlap, radius)
+    return rate_dependent_ ? force_off_equilibrium_N(law, root * root, overlap, radius)
                            : law.force_N(root, radius);
   }
 
@@ -78,7 +79,7 @@ class AdhesiveContact {
       const double speed = (a_old - a) / dt;
       double factor = 1.0;
       for (const Effect* e : effects_) factor *= e->fracture_energy_factor(speed);
-      return law.energy_release_rate_J_m2(a, overlap, radius) - gamma * factor;
+      return energy_release_rate_J_m2(law, a, overlap, radius) - gamma * factor;
     };
     const double floor = kSmallestContactFraction * std::cbrt(kTouchSlope * gamma * radius *
                                                               radius / law.effective_modulus_Pa());

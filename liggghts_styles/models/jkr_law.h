@@ -88,19 +88,6 @@ class JkrLaw {
     return s2 * s2 / radius - c_ * root;
   }
 
-  /// Energy release rate of the contact edge [J/m^2] at contact radius a and overlap delta; equals
-  /// Gamma in equilibrium and exceeds it when the edge wants to recede.
-  double energy_release_rate_J_m2(double contact_radius, double overlap, double radius) const {
-    const double misfit = contact_radius * contact_radius / radius - overlap;
-    return modulus_ * misfit * misfit / (2.0 * kPi * contact_radius);
-  }
-
-  /// Force on an edge that is out of equilibrium (a and delta independent) [N].
-  double force_off_equilibrium_N(double contact_radius, double overlap, double radius) const {
-    return 2.0 * modulus_ * contact_radius *
-           (overlap - contact_radius * contact_radius / (3.0 * radius));
-  }
-
   double pull_off_force_N(double radius) const { return 0.75 * c_ * c_ * modulus_ * radius; }
   double equilibrium_contact_radius_m(double radius) const {
     return std::cbrt(2.25 * c_ * c_ * radius * radius);

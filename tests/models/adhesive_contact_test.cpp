@@ -200,7 +200,7 @@ TEST(RateDependentContact, AVerySlowEdgeHolds) {
   const Pull pull(-3.0);  // far beyond JKR's tear-off
   const double a = pulled_radius(c, pull, 300);
   const double overlap = pull.overlap(pull.duration_s);
-  const double most = kSmooth.energy_release_rate_J_m2(rest_radius(), overlap, kRadius) / kGamma;
+  const double most = energy_release_rate_J_m2(kSmooth, rest_radius(), overlap, kRadius) / kGamma;
   EXPECT_LE(a, rest_radius());
   EXPECT_GE(a, rest_radius() - v_star * most * pull.duration_s);
   // Held edge: a flat punch on top of the rest state, whose force is zero.

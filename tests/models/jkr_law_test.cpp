@@ -2,6 +2,7 @@
 // JkrLaw against the closed form of its universal quartic in 50 digits, the fixed points of the
 // theory, conservation of energy and the scaling of the law.
 #include "models/jkr_law.h"
+#include "models/jkr_edge.h"
 
 #include <cmath>
 #include <random>
@@ -363,7 +364,7 @@ TEST(JkrLaw, EnergyReleaseRateIsGammaInEquilibrium) {
       const double root = law.first_root(overlap, p.radius_m);
       const double a = root * root;
       const auto rate = [&](double radius) {
-        return law.energy_release_rate_J_m2(radius, overlap, p.radius_m);
+        return energy_release_rate_J_m2(law, radius, overlap, p.radius_m);
       };
       // The misfit a^2/R - delta loses digits where both are large.
       const double allowed = kRounding * p.gamma_J_m2 * (1 + std::fabs(y));
@@ -385,7 +386,7 @@ TEST(JkrLaw, ForceOffEquilibrium) {
       const double a = root * root;
       const double force = law.force_N(root, p.radius_m);
       const auto off = [&](double radius, double delta) {
-        return law.force_off_equilibrium_N(radius, delta, p.radius_m);
+        return force_off_equilibrium_N(law, radius, delta, p.radius_m);
       };
       EXPECT_NEAR(off(a, overlap), force, kRounding * (pull_off + 10 * std::fabs(force)));
       // A held edge is a flat punch: dF/d(delta) = 2 E* a.

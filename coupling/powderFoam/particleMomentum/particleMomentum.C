@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "particleMomentum.H"
+#include "couplingProperties.H"
+#include "addToRunTimeSelectionTable.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+    defineTypeNameAndDebug(particleMomentum, 0);
+    defineRunTimeSelectionTable(particleMomentum, dictionary);
+    addToRunTimeSelectionTable(particleMomentum, particleMomentum, dictionary);
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::particleMomentum::particleMomentum
+(
+    const fvMesh& mesh,
+    const dictionary&
+)
+:
+    mesh_(mesh),
+    Su_
+    (
+        IOobject("particleMomentumSu", mesh.time().timeName(), mesh),
+        mesh,
+        dimensionedVector(dimAcceleration, Zero)
+    ),
+    Sp_
+    (
+        IOobject("particleMomentumSp", mesh.time().timeName(), mesh),
+        mesh,
+        dimensionedScalar(dimless/dimTime, Zero)
+    )
+{}
+
+
+// * * * * * * * * * * * * * * * * Selectors * * * * * * * * * * * * * * * * //
+
+Foam::autoPtr<Foam::particleMomentum> Foam::particleMomentum::New
+(
+    const fvMesh& mesh,
+    const dictionary& dict
+)
+{
+    if (dict.empty())
+    {
+        return autoPtr<particleMomentum>::New(mesh, dict);
+    }
+
+    OStringStream allowed;
+    allowed << flatOutput(dictionaryConstructorTablePtr_->sortedToc());
+
+    word modelType;
+    if (!dict.readIfPresent("type", modelType))
+    {
+        couplingProperties::badValue(dict, "type", "missing", allowed.str());
+    }
+
+    auto cstrIter = dictionaryConstructorTablePtr_->cfind(modelType);
+
+    if (!cstrIter.found())
+    {
+        couplingProperties::badValue(dict, "type", modelType, allowed.str());
+    }
+
+    if (modelType == typeName)
+    {
+        couplingProperties::checkEntries(dict, {"type"}, {});
+    }
+
+    Info<< "Selecting particleMomentum " << modelType << nl << endl;
+
+    return autoPtr<particleMomentum>(cstrIter()(mesh, dict));
+}
+
+
+// ************************************************************************* //

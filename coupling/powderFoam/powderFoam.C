@@ -1,0 +1,126 @@
+/*---------------------------------------------------------------------------*\
+Application
+    powderFoam
+
+Group
+    grpLagrangianSolvers
+
+Description
+    Transient solver for incompressible, turbulent flow of a Newtonian fluid
+    that shares its volume with particles (volume-averaged equations), by the
+    PISO or PIMPLE algorithm.
+
+    Continuity and momentum, with fluid fraction alphaf, interstitial velocity
+    U and kinematic pressure p:
+
+        ddt(alphaf) + div(alphaf U) = 0
+
+        ddt(alphaf U) + div(alphaf U U)
+      - div(alphaf nuEff (grad(U) + dev2(T(grad(U)))))
+      = - share grad(p) + Su + Sp U + fvOptions
+
+    share is alphaf in model A (pressure gradient shared with the particles)
+    and 1 in model B (pressure gradient in the fluid only). Su and Sp come from
+    a particleMomentum model and, like fvOptions, are per volume of cell.
+
+    The turbulence model is one of OpenFOAM's for a single phase. It closes
+    the stress with its nuEff; its own transport equations do not see alphaf.
+
+    Required fields: U, p and what the turbulence model needs.
+    Optional: alphaf (1 when absent), constant/couplingProperties.
+
+    With alphaf = 1 and no particles this is pisoFoam/pimpleFoam on a static
+    mesh, and uses the same entries of fvSchemes and fvSolution.
+
+SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "fvCFD.H"
+#include "singlePhaseTransportModel.H"
+#include "turbulentTransportModel.H"
+#include "pimpleControl.H"
+#include "fvOptions.H"
+#include "couplingProperties.H"
+#include "particleMomentum.H"
+
+// * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
+
+int main(int argc, char *argv[])
+{
+    argList::addNote
+    (
+        "Transient solver for incompressible, turbulent flow that shares its"
+        " volume with particles, by the PISO or PIMPLE algorithm."
+    );
+
+    #include "postProcess.H"
+
+    #include "addCheckCaseOptions.H"
+    #include "setRootCaseLists.H"
+    #include "createTime.H"
+    #include "createMesh.H"
+    #include "createControl.H"
+    #include "createTimeControls.H"
+    #include "createFields.H"
+    #include "initContinuityErrs.H"
+    #include "CourantNo.H"
+    #include "setInitialDeltaT.H"
+
+    turbulence->validate();
+
+    label nStepsToCoupling = 0;
+
+    Info<< "\nStarting time loop\n" << endl;
+
+    while (runTime.run())
+    {
+        #include "readTimeControls.H"
+        #include "CourantNo.H"
+        const scalar deltaTOfCoNum = runTime.deltaTValue();
+        #include "setDeltaT.H"
+        #include "checkCourantNo.H"
+
+        ++runTime;
+
+        Info<< "Time = " << runTime.timeName() << nl << endl;
+
+        if (nStepsToCoupling == 0)
+        {
+            particles->correct();
+            nStepsToCoupling = coupling.couplingInterval();
+        }
+        --nStepsToCoupling;
+
+        alphaff = fvc::interpolate(alphaf);
+        alphaPhi = alphaff*phi;
+
+        // --- Pressure-velocity PIMPLE corrector loop
+        while (pimple.loop())
+        {
+            #include "UEqn.H"
+
+            // --- Pressure corrector loop
+            while (pimple.correct())
+            {
+                #include "pEqn.H"
+            }
+
+            if (pimple.turbCorr())
+            {
+                laminarTransport.correct();
+                turbulence->correct();
+            }
+        }
+
+        runTime.write();
+
+        runTime.printExecutionTime(Info);
+    }
+
+    Info<< "End\n" << endl;
+
+    return 0;
+}
+
+
+// ************************************************************************* //

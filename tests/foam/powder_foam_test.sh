@@ -1,0 +1,223 @@
+#!/usr/bin/env bash
+# powder_foam_test.sh TEST REPOSITORY BIN WORK: tests of powderFoam on a pipe of 1 600 cells.
+set -euo pipefail
+test=$1 root=$2 bin=$3 work=$4/$1
+export WM_PROJECT_DIR=${WM_PROJECT_DIR:-/usr/share/openfoam}
+export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
+rm -rf "$work"
+mkdir -p "$work"
+status=0
+failed() { echo "FAILED: $*" >&2; status=1; }
+
+# The verification case on 10 mm with 10 layers, 10 steps; mesh made once per test.
+new_case() {  # name
+  case_dir=$work/$1
+  mkdir -p "$case_dir"
+  cd "$case_dir"
+  cp -r "$root"/foam_cases/hagen_poiseuille/{0,constant,system} .
+  rm system/caseSettings.short
+  cat >system/caseSettings <<'SETTINGS'
+pipeLength 0.01; layers 10; endTime 2e-4; deltaT 2e-5;
+probeLocations ((0 0 0.0015) (0 0 0.0025) (0 0 0.0075) (0 0 0.0085));
+SETTINGS
+  # So tight that runs can be compared.
+  sed -i -E 's/^( *tolerance  *)1e-[0-9]+;/\11e-11;/; s/^( *relTol  *)0\.[0-9]+;/\10;/' \
+    system/fvSolution
+  if [[ -d $work/mesh ]]; then
+    cp -r "$work/mesh" constant/polyMesh
+  else
+    blockMesh >log.blockMesh 2>&1
+    cp -r constant/polyMesh "$work/mesh"
+  fi
+}
+solve() {
+  "$bin/powderFoam" >log 2>&1 || { tail -n 20 log >&2; failed "$case_dir: powderFoam, exit status $?"; }
+}
+slip_walls() { sed -i 's/noSlip/slip/' 0/U; }
+longer() { sed -i 's/endTime 2e-4/endTime 1e-2/; s/deltaT 2e-5/deltaT 2e-4/' system/caseSettings; }
+fluid_fraction() {  # uniform value
+  cat >0/alphaf <<FIELD
+FoamFile { version 2.0; format ascii; class volScalarField; object alphaf; }
+dimensions [0 0 0 0 0 0 0];
+internalField uniform $1;
+boundaryField { ".*" { type zeroGradient; } }
+FIELD
+}
+coupling() {  # entries
+  printf 'FoamFile { version 2.0; format ascii; class dictionary; object couplingProperties; }\n%s\n' \
+    "$1" >constant/couplingProperties
+}
+# probe FIELD COLUMN: last value of a probe's scalar, or of its velocity along the pipe
+probe() {
+  awk -v field="$1" -v column="$2" 'END { gsub(/[()]/, " ");
+    print field == "U" ? $(1 + 3*column) : $(1 + column) }' "postProcessing/axis/0/$1"
+}
+close_to() {  # what value reference tolerance (relative)
+  awk -v v="$2" -v r="$3" -v t="$4" 'BEGIN { e = v - r; if (e < 0) e = -e; if (r < 0) s = -r; else s = r
+    exit !(v != "" && e <= t*s) }' || failed "$1: $2, expected $3 within $4"
+}
+slope() { awk -v a="$(probe p 3)" -v b="$(probe p 4)" 'BEGIN { printf "%.10g", (b - a)/0.001 }'; }
+
+case $test in
+  fluid_fraction)
+    # A uniform fluid fraction cancels from model A; in model B the fluid carries all of grad(p).
+    new_case one; rm constant/couplingProperties; solve
+    u=$(probe U 3) p=$(probe p 1)
+    new_case half_A; fluid_fraction 0.5; solve
+    close_to "model A, velocity" "$(probe U 3)" "$u" 1e-6
+    close_to "model A, pressure" "$(probe p 1)" "$p" 1e-6
+    new_case half_B; fluid_fraction 0.5; coupling 'model B;'; solve
+    close_to "model B, velocity" "$(probe U 3)" "$u" 1e-6
+    close_to "model B, pressure" "$(probe p 1)" "$(awk -v p="$p" 'BEGIN { printf "%.10g", p/2 }')" 1e-6
+    ;;
+  continuity)
+    # alphaf falls along the pipe so that U rises from 1 to 2 m/s in ten steps of 1/9: alphaf U is
+    # constant, and the pressure falls by Bernoulli with the interstitial velocity (model A).
+    new_case nozzle; slip_walls; fluid_fraction 1
+    {
+      echo 'FoamFile { version 2.0; format ascii; class dictionary; object setFieldsDict; }'
+      echo 'defaultFieldValues (); regions ('
+      for layer in {0..9}; do
+        awk -v i="$layer" 'BEGIN { printf "boxToCell { box (-1 -1 %g) (1 1 1); fieldValues " \
+          "( volScalarFieldValue alphaf %.10g ); }\n", 1e-3*i, 1/(1 + i/9) }'
+      done
+      echo ');'
+    } >system/setFieldsDict
+    setFields >log.setFields 2>&1
+    sed -i 's/(0 0 10)/(0 0 1)/' 0/U
+    longer
+    solve
+    close_to "velocity in layer 2" "$(probe U 1)" 1.1111 0.01
+    close_to "velocity in layer 9" "$(probe U 4)" 1.8889 0.01
+    close_to "Bernoulli's pressure drop" \
+      "$(awk -v a="$(probe p 1)" -v b="$(probe p 4)" 'BEGIN { print a - b }')" 1.16667 0.03
+    close_to "continuity error" "$(awk '/^time step cont/ { print 1 + $9 }' log | tail -n 1)" 1 1e-9
+    ;;
+  momentum_source)
+    # Plug flow: share dp/dz = Su + Sp U (+ fvOptions), with U = 10 m/s. Within 0.2 %: the inlet's zero
+    # gradient of p disturbs the cells next to it.
+    source='particleMomentum { type prescribed; Su (0 0 300); Sp -50; }'
+    new_case A; slip_walls; longer; fluid_fraction 0.5; coupling "model A; $source"; solve
+    close_to "model A, pressure gradient" "$(slope)" -400 2e-3
+    new_case B; slip_walls; longer; fluid_fraction 0.5; coupling "model B; $source"; solve
+    close_to "model B, pressure gradient" "$(slope)" -200 2e-3
+    new_case options; slip_walls; longer; fluid_fraction 0.5; coupling "model B; $source"
+    cat >system/fvOptions <<'DICT'
+FoamFile { version 2.0; format ascii; class dictionary; object fvOptions; }
+resistance
+{
+    type            vectorSemiImplicitSource;
+    selectionMode   all;
+    volumeMode      specific;
+    injectionRateSuSp { U ((0 0 0) -20); }
+}
+DICT
+    solve
+    close_to "fvOptions, pressure gradient" "$(slope)" -400 2e-3
+    ;;
+  ranks)
+    new_case serial; fluid_fraction 0.7; solve
+    u=$(probe U 3) p=$(probe p 1)
+    new_case parallel; fluid_fraction 0.7
+    decomposePar >log.decomposePar 2>&1
+    mpirun -np 2 --oversubscribe --bind-to none --mca mpi_yield_when_idle 1 "$bin/powderFoam" -parallel >log 2>&1 ||
+      { tail -n 20 log >&2; failed "2 ranks"; }
+    close_to "velocity on 2 ranks" "$(probe U 3)" "$u" 1e-7
+    close_to "pressure on 2 ranks" "$(probe p 1)" "$p" 1e-7
+    ;;
+  adjustable_time_step)
+    new_case adjust
+    sed -i 's/^adjustTimeStep.*/adjustTimeStep yes;/; s/^maxCo .*/maxCo 0.5;/' system/controlDict
+    solve
+    largest=$(awk '/^Courant Number/ { c = $NF } END { print c }' log)
+    close_to "Courant number" "$largest" 0.5 0.25
+    [[ -f 0.0002/alphaf && -f 0.0002/U ]] || failed "no fields at the end time"
+    ;;
+  turbulence)
+    field() {  # name dimensions value wall-type
+      cat >"0/$1" <<FIELD
+FoamFile { version 2.0; format ascii; class volScalarField; object $1; }
+dimensions $2;
+internalField uniform $3;
+boundaryField
+{
+    inlet  { type fixedValue; value uniform $3; }
+    outlet { type zeroGradient; }
+    wall   { type $4; value uniform $3; }
+}
+FIELD
+    }
+    for model in kEpsilon kOmegaSST; do
+      new_case "$model"; fluid_fraction 0.9
+      field k '[0 2 -2 0 0 0 0]' 0.4 kqRWallFunction
+      field epsilon '[0 2 -3 0 0 0 0]' 500 epsilonWallFunction
+      field omega '[0 0 -1 0 0 0 0]' 14000 omegaWallFunction
+      field nut '[0 2 -1 0 0 0 0]' 0 nutkWallFunction
+      sed -i '/^    inlet/s/fixedValue/calculated/; /^    outlet/s/zeroGradient/calculated; value uniform 0/' 0/nut
+      sed -i "s/^simulationType.*/simulationType RAS; RAS { RASModel $model; turbulence on; printCoeffs off; }/" \
+        constant/turbulenceProperties
+      sed -i 's/default         none;/default         Gauss upwind;/' system/fvSchemes
+      printf 'wallDist { method meshWave; }\n' >>system/fvSchemes
+      sed -i 's/"U\.\*"/"(U|k|epsilon|omega).*"/' system/fvSolution
+      solve
+      [[ $(grep -c '^Time = ' log) == 10 ]] || failed "$model: not all steps"
+      grep -q "$model" log || failed "$model: not selected"
+      [[ -f 0.0002/k && -f 0.0002/nut ]] || failed "$model: no fields written"
+      close_to "$model, velocity" "$(probe U 3)" 10 0.3
+    done
+    ;;
+  bad_input)
+    refused() {  # what, texts that the message must hold
+      local what=$1 code=0
+      shift
+      "$bin/powderFoam" >log 2>&1 || code=$?
+      [[ $code != 0 ]] || failed "$what: accepted"
+      for text in "given:" "allowed:" "to do:" "$@"; do
+        grep -qF -- "$text" log || failed "$what: the message lacks '$text'"
+      done
+      [[ -z $(find . -maxdepth 1 -name '0.*' -o -maxdepth 1 -name '*e-*') ]] ||
+        failed "$what: fields were written"
+    }
+    new_case bad
+    valid='model couplingInterval maxCoFatal particleMomentum'
+    coupling 'model A; couplingIntervall 2;'
+    refused "misspelt entry" couplingIntervall "$valid"
+    coupling 'couplingInterval 2;'
+    refused "missing entry" "missing entry model" "$valid"
+    coupling 'model C;'
+    refused "unknown model" "model" "C" "A (pressure gradient"
+    coupling 'model A; couplingInterval 0;'
+    refused "interval of 0" couplingInterval "at least 1"
+    coupling 'model A; maxCoFatal -1;'
+    refused "negative Courant limit" maxCoFatal
+    coupling 'model A; particleMomentum { type prescibed; }'
+    refused "misspelt type" prescibed "none prescribed"
+    coupling 'model A; particleMomentum { type prescribed; Su (0 0 1); }'
+    refused "missing Sp" "missing entry Sp" "type Su Sp"
+    coupling 'model A; particleMomentum { type prescribed; Su (0 0 1); Sp 3; }'
+    refused "driving Sp" "at most 0"
+    coupling 'model A; particleMomentum { typ prescribed; }'
+    refused "no type" "bad value of entry type" "missing" "none prescribed"
+    coupling 'model A; maxCoFatal 0.1;'
+    refused "Courant number" "Courant number above its limit" "maxCoFatal = 0.1"
+    coupling 'model A;'
+    for value in 0 1.5 -0.2; do
+      fluid_fraction "$value"
+      refused "fluid fraction $value" "fluid fraction out of range"
+    done
+    # All ranks stop.
+    rm 0/alphaf
+    coupling 'model A; maxCoFatal 0.1;'
+    decomposePar >log.decomposePar 2>&1
+    code=0
+    timeout 20 mpirun -np 2 --oversubscribe --bind-to none --mca mpi_yield_when_idle 1 "$bin/powderFoam" -parallel \
+      >log 2>&1 || code=$?
+    [[ $code != 0 && $code != 124 ]] || failed "2 ranks: exit status $code"
+    grep -qF "Courant number above its limit" log || failed "2 ranks: no message"
+    ;;
+  *)
+    echo "unknown test: $test" >&2
+    exit 2
+    ;;
+esac
+exit $status
