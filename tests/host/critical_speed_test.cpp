@@ -61,7 +61,8 @@ struct Place {
 /// Off the mesh's vertices by more than 0.1 nm: LIGGGHTS counts a sphere that stands exactly above
 /// a vertex on two of its triangles (docs/reference.md, known limits of the hosts).
 Place grid(int n, double spacing) {
-  return {(n % 9 - 4) * spacing + 2e-9, (n / 9 - 4) * spacing + 1e-9};
+  const int row = n / 9;
+  return {(n % 9 - 4) * spacing + 2e-9, (row - 4) * spacing + 1e-9};
 }
 
 struct WallRun {

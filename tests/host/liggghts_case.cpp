@@ -45,6 +45,7 @@ std::vector<Sphere> read_last_dump(const fs::path& file) {
     }
   }
   std::vector<Sphere> ordered;
+  ordered.reserve(spheres.size());
   for (const auto& entry : spheres) ordered.push_back(entry.second);
   return ordered;
 }
