@@ -2,13 +2,13 @@
 /// The protocol of fix kat/drop: settle, stop, watch.
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 #include "host/fix_kat_drop.h"
 #include "host/liggghts_headers.h"
 
 #include "host/fix_adhesion_effect.h"
 #include "host/stop_all.h"
+#include "models/invalid_input.h"
 #include "models/kat_theory.h"
 
 namespace powderlink::host {
@@ -23,13 +23,37 @@ constexpr double kSettledEnergy = 1e-12;  // of the impact energy, left in the c
 constexpr int kSettleCheckEvery = 20;     // steps
 constexpr int kSettleChunk = 1000;        // steps between two looks of kat/run
 
-std::string text(double value) {
-  std::ostringstream s;
-  s << value;
-  return s.str();
+}  // namespace
+
+FixKatDrop::FixKatDrop(LAMMPS* lmp, int narg, char** arg) : Fix(lmp, narg, arg) {
+  try {
+    options_ = KatDropOptions::parse(narg, arg);
+  } catch (const InvalidInput& problem) {
+    stop(problem.what());
+  }
+  plate_position_ = options_.plate_position;
+
+  scalar_flag = vector_flag = peratom_flag = 1;
+  size_vector = 16;
+  size_peratom_cols = kReported;
+  global_freq = peratom_freq = 1;
+  extscalar = extvector = 0;
+  restart_global = restart_peratom = 1;
+  create_attribute = 1;
+  nevery = 1;
+  time_depend = 1;
+
+  grow_arrays(atom->nmax);
+  atom->add_callback(0);
+  atom->add_callback(1);
+  for (int i = 0; i < atom->nlocal; ++i) set_arrays(i);
 }
 
-}  // namespace
+FixKatDrop::~FixKatDrop() {
+  atom->delete_callback(id, 0);
+  atom->delete_callback(id, 1);
+  memory->destroy(array_atom);
+}
 
 void FixKatDrop::stop(const std::string& message) const { stop_all(lmp, FLERR, this, message); }
 
@@ -175,7 +199,7 @@ void FixKatDrop::end_of_step() {
     if (settled()) {
       begin_impact();
     } else if (static_cast<double>(steps) * update->dt > settle_limit_s_) {
-      stop("settling; given: " + text(settle_limit_s_) +
+      stop("settling; given: " + number_text(settle_limit_s_) +
            " s; allowed: the grains must come to rest on the plate within it; to do: raise the "
            "keyword "
            "settle, or check that adhesion can carry the grains' weight");
@@ -212,10 +236,11 @@ void FixKatDrop::check_fallen() const {
         "falls");
   }
   if (counts[1] > 0.0) {
-    stop("settling; given: " + text(counts[1]) + " of " + text(counts[0]) +
+    stop("settling; given: " + number_text(counts[1]) + " of " + number_text(counts[0]) +
          " grains fell off under their weight; allowed: grains that adhesion carries; to do: use "
          "smaller grains" +
-         (largest_held > 0.0 ? " (" + text(largest_held * 1e6) + " um holds)" : std::string()) +
+         (largest_held > 0.0 ? " (" + number_text(largest_held * 1e6) + " um holds)"
+                             : std::string()) +
          ", a larger workOfAdhesion or gravity 0");
   }
 }

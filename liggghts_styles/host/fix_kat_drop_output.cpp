@@ -12,36 +12,6 @@ namespace powderlink::host {
 
 using namespace LAMMPS_NS;
 
-FixKatDrop::FixKatDrop(LAMMPS* lmp, int narg, char** arg) : Fix(lmp, narg, arg) {
-  try {
-    options_ = KatDropOptions::parse(narg, arg);
-  } catch (const InvalidInput& problem) {
-    stop(problem.what());
-  }
-  plate_position_ = options_.plate_position;
-
-  scalar_flag = vector_flag = peratom_flag = 1;
-  size_vector = 16;
-  size_peratom_cols = kReported;
-  global_freq = peratom_freq = 1;
-  extscalar = extvector = 0;
-  restart_global = restart_peratom = 1;
-  create_attribute = 1;
-  nevery = 1;
-  time_depend = 1;
-
-  grow_arrays(atom->nmax);
-  atom->add_callback(0);
-  atom->add_callback(1);
-  for (int i = 0; i < atom->nlocal; ++i) set_arrays(i);
-}
-
-FixKatDrop::~FixKatDrop() {
-  atom->delete_callback(id, 0);
-  atom->delete_callback(id, 1);
-  memory->destroy(array_atom);
-}
-
 /// Adds this step to the balances. v is the half-step velocity, f holds everything but `own_force`.
 /// Work of a force over the kick of half a step: h F.(v + h f/(2 m)), f the total force: exact.
 void FixKatDrop::account(int i, double own_force, double gap) {

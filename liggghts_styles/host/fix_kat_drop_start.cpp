@@ -2,7 +2,6 @@
 /// fix kat/drop before its first step: grains, their places, the moving plate, checks.
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 #include "host/fix_kat_drop.h"
 #include "host/liggghts_headers.h"
@@ -12,6 +11,7 @@
 #include "neigh_list.h"
 
 #include "host/kat_population.h"
+#include "models/invalid_input.h"
 #include "models/kat_theory.h"
 #include "models/rayleigh_time.h"
 
@@ -26,12 +26,6 @@ constexpr double kWatchPeriods = 6.0;     // an undamped contact decides in its 
 constexpr double kPlaceWithin = 0.1;      // radii from the plate: moved to equilibrium
 constexpr double kDeepestStart = 0.1;     // radii: a grain that overlaps the plate more is an error
 constexpr double kAllowedOverlap = 0.01;  // radii, of two grains at the start
-
-std::string text(double value) {
-  std::ostringstream s;
-  s << value;
-  return s.str();
-}
 
 }  // namespace
 
@@ -81,8 +75,8 @@ void FixKatDrop::populate() {
       0.5 * kGridSpacing * largest * std::ceil(std::sqrt(static_cast<double>(grid.size())));
   for (const int side : {u, v}) {
     if (domain->boxhi[side] - domain->boxlo[side] < 2.0 * half) {
-      stop("populate; given: a box of " + text(domain->boxhi[side] - domain->boxlo[side]) +
-           " m in direction " + "xyz"[side] + "; allowed: at least " + text(2.0 * half) +
+      stop("populate; given: a box of " + number_text(domain->boxhi[side] - domain->boxlo[side]) +
+           " m in direction " + "xyz"[side] + "; allowed: at least " + number_text(2.0 * half) +
            " m for " + std::to_string(grid.size()) +
            " grains; to do: enlarge the region of create_box");
     }
@@ -163,8 +157,8 @@ void FixKatDrop::place_at_equilibrium() {
   }
   MPI_Max_Scalar(deepest, world);
   if (deepest > kDeepestStart) {
-    stop("start; given: a grain that overlaps the plate by " + text(deepest) +
-         " of its radius; allowed: up to " + text(kDeepestStart) +
+    stop("start; given: a grain that overlaps the plate by " + number_text(deepest) +
+         " of its radius; allowed: up to " + number_text(kDeepestStart) +
          "; to do: put the grains beside the plate, on the side to which it falls");
   }
 }
@@ -181,9 +175,9 @@ void FixKatDrop::check_before_run() {
   }
   MPI_Max_Scalar(fraction, world);
   if (fraction > models::kLargestRayleighFraction) {
-    stop("time step; given: " + text(update->dt) + " s, " + text(fraction) +
+    stop("time step; given: " + number_text(update->dt) + " s, " + number_text(fraction) +
          " Rayleigh times of the smallest grain; allowed: up to 0.5, better 0.1; to do: timestep " +
-         text(0.1 * update->dt / fraction));
+         number_text(0.1 * update->dt / fraction));
   }
 
   NeighList* list = force->pair->list;
@@ -210,9 +204,10 @@ void FixKatDrop::check_before_run() {
   if (everywhere > kAllowedOverlap) {
     if (worst != everywhere) worst_tags[0] = worst_tags[1] = 0.0;
     MPI_Max_Vector(worst_tags, 2, world);
-    stop("start; given: grains " + text(worst_tags[0]) + " and " + text(worst_tags[1]) +
-         " overlap by " + text(everywhere) + " of the smaller radius; allowed: up to " +
-         text(kAllowedOverlap) + "; to do: create them further apart");
+    stop("start; given: grains " + number_text(worst_tags[0]) + " and " +
+         number_text(worst_tags[1]) + " overlap by " + number_text(everywhere) +
+         " of the smaller radius; allowed: up to " + number_text(kAllowedOverlap) +
+         "; to do: create them further apart");
   }
 }
 

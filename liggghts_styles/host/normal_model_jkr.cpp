@@ -2,11 +2,11 @@
 #include "host/normal_model_jkr.h"
 
 #include <algorithm>
-#include <sstream>
 
 #include "host/fix_adhesion_effect.h"
 #include "host/private_access.h"
 #include "host/stop_all.h"
+#include "models/invalid_input.h"
 
 POWDERLINK_PRIVATE_MEMBER(MeshPrecision, LAMMPS_NS::FixMesh, precision_, double)
 
@@ -26,12 +26,6 @@ constexpr double kDefaultMeshPrecision = 1e-8;  // of LIGGGHTS, where fix mesh/s
 double precision_m(FixMeshSurface* mesh) {
   const double given = mesh->*pointer_to(MeshPrecision());
   return given > 0.0 ? given : kDefaultMeshPrecision;
-}
-
-std::string text(double value) {
-  std::ostringstream s;
-  s << value;
-  return s.str();
 }
 
 }  // namespace
@@ -111,14 +105,14 @@ void JkrNormalModel::connectToProperties(PropertyRegistry& registry) {
       const std::string where =
           "model jkr: workOfAdhesion of types " + std::to_string(i) + " and " + std::to_string(j);
       if (!(energy >= 0.0)) {
-        const std::string message = where + "; given: " + text(energy) +
+        const std::string message = where + "; given: " + number_text(energy) +
                                     " J/m^2; allowed: >= 0; to do: correct the matrix of fix "
                                     "property/global";
         stop_all(lmp, FLERR, nullptr, message);
       }
       if (energy > kLargestPlausibleEnergy && i <= j && !is_wall_ && comm->me == 0) {
         const std::string message =
-            where + " is " + text(energy) +
+            where + " is " + number_text(energy) +
             " J/m^2, above 10 J/m^2. It is the work of adhesion of the interface (pull-off 1.5 pi "
             "Gamma R*), not a surface energy in other units; dry solids have 0.01 to 1 J/m^2";
         error->warning(FLERR, message.c_str());
@@ -165,11 +159,11 @@ void JkrNormalModel::check_wall(double largest_gap) const {
   if (!wall->is_mesh_wall()) {
     if (neighbor->skin < kStretchMargin * largest_gap) {
       const std::string message =
-          "model jkr on a primitive wall: neighbor skin; given: " + text(neighbor->skin) +
+          "model jkr on a primitive wall: neighbor skin; given: " + number_text(neighbor->skin) +
           " m; allowed: above the tear-off gap of the "
           "longest neck, " +
-          text(largest_gap) + " m, or contacts would be lost; to do: neighbor " +
-          text(2.0 * largest_gap) + " bin";
+          number_text(largest_gap) + " m, or contacts would be lost; to do: neighbor " +
+          number_text(2.0 * largest_gap) + " bin";
       stop_all(lmp, FLERR, wall, message);
     }
     return;
@@ -181,9 +175,9 @@ void JkrNormalModel::check_wall(double largest_gap) const {
     FixMeshSurface* mesh = wall->mesh_list()[i];
     if (largest_radius > 0.0 && precision_m(mesh) > kMeshPrecisionOfRadius * smallest_radius) {
       const std::string message = std::string("model jkr on mesh '") + mesh->id +
-                                  "': precision; given: " + text(precision_m(mesh)) +
+                                  "': precision; given: " + number_text(precision_m(mesh)) +
                                   " m (LIGGGHTS's default is 1e-8); allowed: at most " +
-                                  text(kMeshPrecisionOfRadius * smallest_radius) +
+                                  number_text(kMeshPrecisionOfRadius * smallest_radius) +
                                   " m, or grains of this size get wrong forces at triangle edges; "
                                   "to do: add 'precision 1e-12' "
                                   "to fix mesh/surface";

@@ -8,22 +8,11 @@
 
 #include "analysis/material_library.h"
 #include "models/rayleigh_time.h"
+#include "tests/analysis/steel_drop.h"
 #include "tests/analysis/test_files.h"
 
 namespace powderlink::analysis {
 namespace {
-
-DropScript steel_drop() {
-  DropScript d;
-  d.title = "test, row 1";
-  d.particle = find_material("316L");
-  d.substrate = find_material("UPVC");
-  d.work_of_adhesion_J_m2 = 17.175;
-  d.impact_velocity_m_s = 1.4;
-  d.smallest_diameter_m = 40e-6;
-  d.largest_diameter_m = 60e-6;
-  return d;
-}
 
 /// The script's commands as LIGGGHTS sees them: no comments, continued lines joined, single spaces.
 std::string commands(const DropScript& d) {

@@ -10,6 +10,7 @@
 #include "analysis/kat/child_process.h"
 #include "analysis/kat/progress.h"
 #include "analysis/material_library.h"
+#include "tests/analysis/steel_drop.h"
 #include "tests/analysis/test_files.h"
 
 namespace powderlink::analysis {
@@ -39,18 +40,6 @@ fs::path program(const TestFolder& folder, const std::string& text) {
   fs::path file = folder.write("liggghts", text);
   fs::permissions(file, fs::perms::owner_all);
   return file;
-}
-
-DropScript steel_drop() {
-  DropScript d;
-  d.title = "test";
-  d.particle = find_material("316L");
-  d.substrate = find_material("UPVC");
-  d.work_of_adhesion_J_m2 = 17.175;
-  d.impact_velocity_m_s = 1.4;
-  d.smallest_diameter_m = 40e-6;
-  d.largest_diameter_m = 60e-6;
-  return d;
 }
 
 TEST(ChildProcess, StatusOutputAndFolder) {
