@@ -24,6 +24,8 @@ int run(int argc, char** argv) {
   analysis::add_kat_theory_command(*kat);
   analysis::add_kat_run_command(*kat);
   analysis::add_effects_command(app);
+  analysis::add_flow_command(app);
+  analysis::add_restart_command(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# scripts/bench.sh [contact | kat | reduced]...: benchmarks side by side with the peers, as ratios.
+# scripts/bench.sh [contact | kat | reduced | pipe]...: benchmarks side by side with the peers, as ratios.
 # Quote medians of a quiet machine; nothing here is a test.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -17,14 +17,18 @@ reduced() {
   echo "Reduced model: one critical diameter (limit 5 ms)"
   build/bench_bin/reduced_model_bench --benchmark_min_time=0.5
 }
+pipe() {
+  echo "Pipe, case A, 16 600 grains, from the filled state (limit 5 s per simulated ms)"
+  POWDERLINK_BIN=$PWD/build/bin bench/pipe/run.sh
+}
 
 parts=("$@")
-[[ ${#parts[@]} -gt 0 ]] || parts=(contact kat reduced)
+[[ ${#parts[@]} -gt 0 ]] || parts=(contact kat reduced pipe)
 for part in "${parts[@]}"; do
   case $part in
-    contact | kat | reduced) "$part" && echo ;;
+    contact | kat | reduced | pipe) "$part" && echo ;;
     *)
-      echo "bench; given: $part; allowed: contact, kat, reduced; to do: ./powderlink bench [PART]..." >&2
+      echo "bench; given: $part; allowed: contact, kat, reduced, pipe; to do: ./powderlink bench [PART]..." >&2
       exit 2
       ;;
   esac

@@ -1,17 +1,33 @@
 #!/usr/bin/env bash
 # Common part of foam_cases/*/run.sh; sourced, in the folder of the case:
-#   foam_case_options "$@"     [--short] [--ranks N] [--out DIR]; sets short, ranks, out
-#   foam_case_copy             the native files to $out, and cd there
+#   foam_case_options "$@"     [--short] [--ranks N] [--out DIR], and for coupled cases [--dem-ranks N]
+#                              [--transport mpi|socket]; sets short, ranks, out, dem_ranks, transport
+#   foam_case_copy [FOLDER]    the native files (of FOLDER) to $out/case, and cd there; with a name in
+#                              case_copy: to $out/$case_copy
 #   foam_case_run PROGRAM ...  runs it, log.PROGRAM beside the case; its last lines on failure
-#   foam_case_solve            decomposes for more than one rank, runs powderFoam; sets wall_s
-#   foam_case_result NAME UNIT VALUE REFERENCE TOLERANCE SOURCE   (tolerance: relative)
+#   foam_case_decompose        for more than one rank, along decompose_axis (x, y or z; default z)
+#   foam_case_solve            decomposes, runs powderFoam; adds to wall_s
+#   foam_case_couple SCRIPT [OPTIONS]    decomposes, runs powderFoam and liggghts-powderlink -in SCRIPT
+#                              OPTIONS as one coupled job; log.powderFoam, log.liggghts.screen; adds to
+#                              wall_s; OPTIONS are for LIGGGHTS (-var NAME VALUE)
+#   foam_case_result NAME UNIT VALUE REFERENCE TOLERANCE SOURCE   as case_result (case_results.sh)
 #   foam_case_write CASE       results.json in $out; exit status 1 if a quantity fails
-# powderFoam is taken from POWDERLINK_BIN, else from the repository's build/bin.
+# The programs are taken from POWDERLINK_BIN, else from the repository's build/bin.
+# POWDERLINK_CASE_LIMIT_S: longest time of a solver run, default 3600 s.
 
 foam_case_root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 foam_case_bin=${POWDERLINK_BIN:-$foam_case_root/build/bin}
+foam_case_limit_s=${POWDERLINK_CASE_LIMIT_S:-3600}
+foam_case_peer_limit_s=15  # after one program of a coupled job has failed, for the other one
+foam_case_kill_after_s=10
+. "$foam_case_root/scripts/case_results.sh"
 if [[ -z ${WM_PROJECT_DIR:-} && -d /usr/share/openfoam/etc ]]; then
   export WM_PROJECT_DIR=/usr/share/openfoam
+fi
+# Not bound: other runs on the machine would be bound to the same cores.
+foam_case_mpirun=(mpirun --oversubscribe --bind-to none --mca mpi_yield_when_idle 1)
+if [[ $(id -u) == 0 ]]; then
+  export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
 fi
 
 foam_case_fail() {  # what, given, allowed, to do
@@ -20,94 +36,164 @@ foam_case_fail() {  # what, given, allowed, to do
 }
 
 foam_case_options() {
-  short=no ranks=1 out=$PWD/results
+  short=no ranks=1 dem_ranks=1 transport=mpi out=$PWD/results wall_s=0
+  local value
   while [[ $# -gt 0 ]]; do
     case $1 in
       --short) short=yes; shift ;;
-      --ranks | --out)
+      --ranks | --dem-ranks | --transport | --out)
         [[ $# -ge 2 ]] || foam_case_fail "option without a value" "$1" "$1 VALUE" "add the value"
-        if [[ $1 == --ranks ]]; then ranks=$2; else out=$(realpath -m -- "$2"); fi
+        value=$2
+        case $1 in
+          --ranks) ranks=$value ;;
+          --dem-ranks) dem_ranks=$value ;;
+          --transport) transport=$value ;;
+          --out) out=$(realpath -m -- "$value") ;;
+        esac
         shift 2 ;;
-      *) foam_case_fail "unknown option" "$1" "--short, --ranks N, --out DIR" "correct it" ;;
+      *) foam_case_fail "unknown option" "$1" \
+        "--short, --ranks N, --dem-ranks N, --transport mpi|socket, --out DIR" "correct it" ;;
     esac
   done
-  [[ $ranks =~ ^[1-9][0-9]*$ ]] ||
-    foam_case_fail "bad number of ranks" "$ranks" "an integer, at least 1" "correct --ranks"
-  [[ -x $foam_case_bin/powderFoam ]] ||
-    foam_case_fail "powderFoam is missing" "$foam_case_bin" "a folder with powderFoam" \
-      "build it: scripts/build.sh; or set POWDERLINK_BIN"
-}
-
-foam_case_copy() {
+  for value in "$ranks" "$dem_ranks"; do
+    [[ $value =~ ^[1-9][0-9]*$ ]] || foam_case_fail "bad number of ranks" "$value" \
+      "an integer, at least 1" "correct --ranks or --dem-ranks"
+  done
+  [[ $transport == mpi || $transport == socket ]] ||
+    foam_case_fail "unknown transport" "$transport" "mpi, socket" "correct --transport"
+  foam_case_need powderFoam
   foam_case_results=$PWD/results.json
   if [[ $out != "$PWD/results" ]]; then foam_case_results=$out/results.json; fi
   rm -f "$foam_case_results"
-  rm -rf "$out/case"
-  mkdir -p "$out/case"
-  cp -r 0 constant system "$out/case"
-  cd "$out/case"
-  if [[ $short == yes ]]; then cp system/caseSettings.short system/caseSettings; fi
-  foam_case_quantities=()
+}
+
+foam_case_need() {  # program
+  [[ -x $foam_case_bin/$1 ]] || foam_case_fail "$1 is missing" "$foam_case_bin" \
+    "a folder with $1" "build it: scripts/build.sh release programs; or set POWDERLINK_BIN"
+}
+
+foam_case_copy() {
+  local from=${1:-.} folder=$out/${case_copy:-case} script
+  rm -rf "$folder"
+  mkdir -p "$folder"
+  cp -r "$from"/{0,constant,system} "$folder"
+  for script in "$from"/in.*; do
+    if [[ -f $script ]]; then
+      mkdir -p "$folder/post"
+      cp "$script" "$folder"
+    fi
+  done
+  cd "$folder"
+  if [[ $short == yes && -f system/caseSettings.short ]]; then
+    cp system/caseSettings.short system/caseSettings
+  fi
 }
 
 foam_case_run() {
   local log
   log=log.$(basename "$1")
-  if ! "$@" >"$log" 2>&1; then
+  if ! timeout --foreground --kill-after="$foam_case_kill_after_s" "$foam_case_limit_s" "$@" >"$log" 2>&1; then
     tail -n 25 "$log" >&2
-    foam_case_fail "$(basename "$1") failed" "$*" "exit status 0" "see $PWD/$log"
+    foam_case_fail "$(basename "$1") failed" "$*" "exit status 0 within $foam_case_limit_s s" \
+      "see $PWD/$log"
   fi
 }
 
-foam_case_solve() {
-  local start end
-  local solver=("$foam_case_bin/powderFoam")
+foam_case_decompose() {
+  local parts=(1 1 1)
   if ((ranks > 1)); then
-    sed -i -E "s/^(numberOfSubdomains).*/\1 $ranks;/; s/^( *n ).*/\1(1 1 $ranks);/" \
+    case ${decompose_axis:-z} in
+      x) parts=("$ranks" 1 1) ;;
+      y) parts=(1 "$ranks" 1) ;;
+      z) parts=(1 1 "$ranks") ;;
+    esac
+    sed -i -E "s/^(numberOfSubdomains).*/\1 $ranks;/; s/^( *n ).*/\1(${parts[*]});/" \
       system/decomposeParDict
     foam_case_run decomposePar
-    # Not bound: other runs on the machine would be bound to the same cores.
-    solver=(mpirun -np "$ranks" --oversubscribe --bind-to none --mca mpi_yield_when_idle 1
-      "${solver[@]}" -parallel)
-    if [[ $(id -u) == 0 ]]; then
-      export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
-    fi
+  fi
+}
+
+foam_case_add_time() {  # start; the end is now
+  wall_s=$(awk -v sum="$wall_s" -v a="$1" -v b="$(date +%s.%N)" 'BEGIN { printf "%.3f", sum + b - a }')
+}
+
+foam_case_solve() {
+  local start
+  local solver=("$foam_case_bin/powderFoam")
+  foam_case_decompose
+  if ((ranks > 1)); then
+    solver=("${foam_case_mpirun[@]}" -np "$ranks" "${solver[@]}" -parallel)
   fi
   echo "powderFoam on $ranks rank(s); log: $PWD/log.${solver[0]##*/}"
   start=$(date +%s.%N)
   foam_case_run "${solver[@]}"
-  end=$(date +%s.%N)
-  wall_s=$(awk -v a="$start" -v b="$end" 'BEGIN { printf "%.3f", b - a }')
+  foam_case_add_time "$start"
 }
 
-foam_case_result() {
-  foam_case_quantities+=("$(awk -v name="$1" -v unit="$2" -v value="$3" -v reference="$4" \
-    -v tolerance="$5" -v source="$6" 'BEGIN {
-      error = value - reference; if (error < 0) error = -error
-      size = reference < 0 ? -reference : reference
-      # An empty or non-numeric value must not pass as 0.
-      pass = (value ~ /^-?[0-9.]+(e[-+]?[0-9]+)?$/ && error <= tolerance*size) ? "true" : "false"
-      if (value !~ /^-?[0-9.]+(e[-+]?[0-9]+)?$/) value = "null"
-      printf "{\"name\": \"%s\", \"unit\": \"%s\", \"value\": %s, \"reference\": %s, ", name, unit, value, reference
-      printf "\"tolerance\": %s, \"source\": \"%s\", \"pass\": %s}", tolerance, source, pass
-    }')")
+foam_case_coupled_failed() {  # how it ended
+  tail -n 15 log.liggghts.screen log.powderFoam log.mpirun >&2 2>/dev/null || true
+  foam_case_fail "the coupled job failed" "$1" "both programs end with status 0" \
+    "see log.liggghts.screen and log.powderFoam in $PWD"
 }
+
+foam_case_couple() {
+  local script=$1 start status=0 dem_status=0
+  shift
+  local dem=("$foam_case_bin/liggghts-powderlink" -in "$script" -var transport "$transport" "$@")
+  local solver=("$foam_case_bin/powderFoam")
+  local limit=(timeout --foreground --kill-after="$foam_case_kill_after_s" "$foam_case_limit_s")
+  # Each program writes a log of its own; all ranks append, only the first one has much to say.
+  local to_log='log=$1; shift; exec "$@" >>"$log" 2>&1'
+  foam_case_need liggghts-powderlink
+  foam_case_decompose
+  if ((ranks > 1)); then solver+=(-parallel); fi
+  rm -f log.liggghts.screen log.powderFoam log.mpirun bridge.address
+  echo "powderFoam on $ranks rank(s), LIGGGHTS on $dem_ranks rank(s), over $transport; in $PWD"
+  start=$(date +%s.%N)
+  if [[ $transport == mpi ]]; then
+    "${limit[@]}" "${foam_case_mpirun[@]}" \
+      -np "$dem_ranks" bash -c "$to_log" dem log.liggghts.screen "${dem[@]}" : \
+      -np "$ranks" bash -c "$to_log" solver log.powderFoam "${solver[@]}" >log.mpirun 2>&1 ||
+      status=$?
+    ((status == 0)) || foam_case_coupled_failed "exit status $status"
+  else
+    sed -i 's/^\( *transport  *\)mpi;/\1socket;/' constant/couplingProperties
+    foam_case_socket_job || foam_case_coupled_failed "exit status $status (powderFoam), $dem_status (LIGGGHTS)"
+  fi
+  foam_case_add_time "$start"
+}
+
+# Two jobs of their own; uses the variables of foam_case_couple.
+foam_case_socket_job() {
+  local solver_job dem_job
+  if ((ranks > 1)); then solver=("${foam_case_mpirun[@]}" -np "$ranks" "${solver[@]}"); fi
+  if ((dem_ranks > 1)); then dem=("${foam_case_mpirun[@]}" -np "$dem_ranks" "${dem[@]}"); fi
+  "${limit[@]}" "${solver[@]}" >log.powderFoam 2>&1 &
+  solver_job=$!
+  "${limit[@]}" "${dem[@]}" >log.liggghts.screen 2>&1 &
+  dem_job=$!
+  trap 'kill "$solver_job" "$dem_job" 2>/dev/null || true' EXIT
+  # The first that fails takes the other one with it, after a while to say why.
+  if ! wait -n; then
+    sleep "$foam_case_peer_limit_s" >/dev/null 2>&1 &
+    wait -n || true
+    kill "$solver_job" "$dem_job" 2>/dev/null || true
+  fi
+  wait "$solver_job" || status=$?
+  wait "$dem_job" || dem_status=$?
+  trap - EXIT
+  ((status == 0 && dem_status == 0))
+}
+
+foam_case_result() { case_result "$@"; }
 
 foam_case_write() {
-  local separator=
-  {
-    printf '{"case": "%s", "quantities": [' "$1"
-    for quantity in "${foam_case_quantities[@]}"; do
-      printf '%s\n  %s' "$separator" "$quantity"
-      separator=,
-    done
-    printf '\n], "wall_s": %s, "ranks": %s, "versions": {"openfoam": "%s"}}\n' "$wall_s" "$ranks" \
-      "$(sed -n -E 's/^Build *: *(.*[^ ]) *$/\1/p' log.powderFoam log.mpirun 2>/dev/null | head -n 1)"
-  } >"$foam_case_results.part"
-  mv "$foam_case_results.part" "$foam_case_results"
-  cat "$foam_case_results"
-  if grep -q '"pass": false' "$foam_case_results"; then
-    echo "run.sh: a quantity is outside its tolerance; see $foam_case_results" >&2
-    exit 1
-  fi
+  local openfoam liggghts
+  # Of a job on several ranks without LIGGGHTS the log is mpirun's.
+  openfoam=$(cat log.powderFoam log.mpirun 2>/dev/null | sed -n -E 's/^Build *: *(.*[^ ]) *$/\1/p' |
+    head -n 1) || true
+  liggghts=$(sed -n -E 's/^LIGGGHTS \(Version ([^,]*),.*/\1/p' log.liggghts 2>/dev/null |
+    head -n 1) || true
+  case_write "$1" "$foam_case_results" "$wall_s" "$ranks" \
+    "\"openfoam\": \"$openfoam\"${liggghts:+, \"liggghts\": \"$liggghts\"}" || exit 1
 }

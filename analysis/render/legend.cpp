@@ -41,8 +41,36 @@ void draw_scale_bar(vtkRenderer* layer, Pixel right, double pixels_per_um, doubl
   for (const double x : {left + 0.5 * thick, right.x - 0.5 * thick}) {
     draw_line(layer, {x, right.y - tick}, {x, right.y + tick}, thick);
   }
-  draw_text(layer, fmt::format("{:g} \u00b5m", length_um),
+  const bool millimetres = length_um >= 1000.0;
+  draw_text(layer,
+            millimetres ? fmt::format("{:g} mm", 1e-3 * length_um)
+                        : fmt::format("{:g} \u00b5m", length_um),
             {0.5 * (left + right.x), right.y + 0.42 * text_px}, text_px, Align::centre);
+}
+
+void draw_ramp(vtkRenderer* layer, Pixel left, double width_px, double scale, double text_px,
+               Colour (*colour)(double), const std::string& title) {
+  const double height = 0.9 * text_px;
+  constexpr int kParts = 60;
+  for (int i = 0; i < kParts; ++i) {
+    const double a = static_cast<double>(i) / kParts, b = static_cast<double>(i + 1) / kParts;
+    const Colour from = colour(a), to = colour(b);
+    draw_polygon(layer,
+                 {{left.x + a * width_px, left.y},
+                  {left.x + b * width_px, left.y},
+                  {left.x + b * width_px, left.y + height},
+                  {left.x + a * width_px, left.y + height}},
+                 {from, to, to, from});
+  }
+  const int ticks = scale_ticks(scale);
+  for (int i = 0; i <= ticks; ++i) {
+    const double x = left.x + width_px * i / ticks;
+    draw_line(layer, {x, left.y - 0.25 * text_px}, {x, left.y}, 0.08 * text_px);
+    draw_text(layer, fmt::format("{:g}", scale * i / ticks), {x, left.y - 1.35 * text_px},
+              0.88 * text_px, Align::centre);
+  }
+  draw_text(layer, title, {left.x + 0.5 * width_px, left.y + 1.35 * height}, text_px,
+            Align::centre);
 }
 
 void draw_colour_key(vtkRenderer* layer, Pixel left, double width_px, double speed_scale,
@@ -58,27 +86,8 @@ void draw_colour_key(vtkRenderer* layer, Pixel left, double width_px, double spe
   draw_polygon(layer, disc, {kAttached});
   draw_text(layer, "attached", {left.x + 1.5 * height, left.y}, text_px);
 
-  const double ramp = left.x + 7.2 * text_px, ramp_width = width_px - 7.2 * text_px;
-  constexpr int kParts = 60;
-  for (int i = 0; i < kParts; ++i) {
-    const double a = static_cast<double>(i) / kParts, b = static_cast<double>(i + 1) / kParts;
-    const Colour from = leaving_colour(a), to = leaving_colour(b);
-    draw_polygon(layer,
-                 {{ramp + a * ramp_width, left.y},
-                  {ramp + b * ramp_width, left.y},
-                  {ramp + b * ramp_width, left.y + height},
-                  {ramp + a * ramp_width, left.y + height}},
-                 {from, to, to, from});
-  }
-  const int ticks = scale_ticks(speed_scale);
-  for (int i = 0; i <= ticks; ++i) {
-    const double x = ramp + ramp_width * i / ticks;
-    draw_line(layer, {x, left.y - 0.25 * text_px}, {x, left.y}, 0.08 * text_px);
-    draw_text(layer, fmt::format("{:g}", speed_scale * i / ticks), {x, left.y - 1.35 * text_px},
-              0.88 * text_px, Align::centre);
-  }
-  draw_text(layer, "detached: speed away from the plate (m/s)",
-            {ramp + 0.5 * ramp_width, left.y + 1.35 * height}, text_px, Align::centre);
+  draw_ramp(layer, {left.x + 7.2 * text_px, left.y}, width_px - 7.2 * text_px, speed_scale, text_px,
+            leaving_colour, "detached: speed away from the plate (m/s)");
 }
 
 }  // namespace powderlink::render

@@ -21,6 +21,11 @@ int scale_ticks(double scale);
 void draw_scale_bar(vtkRenderer* layer, Pixel right, double pixels_per_um, double limit_px,
                     double text_px);
 
+/// Ramp of colours over 0 ... scale with ticks and a title above it.
+/// \param colour  of a fraction 0 ... 1 of the scale
+void draw_ramp(vtkRenderer* layer, Pixel left, double width_px, double scale, double text_px,
+               Colour (*colour)(double), const std::string& title);
+
 /// Disc for the attached grains, ramp with ticks for the speed of the leaving ones.
 void draw_colour_key(vtkRenderer* layer, Pixel left, double width_px, double speed_scale,
                      double text_px);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file main.cpp
-/// powderlink-render series|png|table: what a drop test left behind, to look at.
+/// powderlink-render series|png|table: what a drop test left behind, to look at;
+/// flow|flow-series: the same for a coupled run.
 #include <unistd.h>
 #include <vtkLogger.h>
 
@@ -13,6 +14,8 @@
 #include <string>
 
 #include "analysis/render/files.h"
+#include "analysis/render/flow_picture.h"
+#include "analysis/render/flow_series.h"
 #include "analysis/render/picture.h"
 #include "analysis/render/residual_table.h"
 #include "analysis/render/run_directory.h"
@@ -41,6 +44,8 @@ struct Arguments {
   std::string run, picture_file = "kat.png", table_file;
   std::optional<double> time_step_s;
   PictureOptions picture;
+  std::string flow_file = "flow.png";
+  FlowPictureOptions flow;
 };
 
 void add_common(CLI::App* command, Arguments& arguments) {
@@ -53,7 +58,8 @@ void add_common(CLI::App* command, Arguments& arguments) {
 
 int run(int argc, char** argv) {
   Arguments arguments;
-  CLI::App app("Drop tests for ParaView, as pictures and as tables.", "powderlink-render");
+  CLI::App app("Drop tests and coupled runs for ParaView, as pictures and as tables.",
+               "powderlink-render");
   app.require_subcommand(1);
 
   auto* series = app.add_subcommand("series", "write particles.pvd and plate.pvd for ParaView");
@@ -80,7 +86,37 @@ int run(int argc, char** argv) {
   table->add_option("run", arguments.run, "folder of a drop test")->required();
   table->add_option("-o,--output", arguments.table_file, "default: standard output");
 
+  auto* flow_series = app.add_subcommand(
+      "flow-series", "coupled run: write particles.pvd and case.foam for ParaView");
+  auto* flow = app.add_subcommand("flow", "coupled run: draw gas and particles, no display needed");
+  for (auto* command : {flow_series, flow}) {
+    command->add_option("case", arguments.run, "folder of a coupled run (holds post/)")->required();
+    command->add_option("--dt", arguments.flow.time_step_s,
+                        "DEM time step [s]; default: from the dumps, log.liggghts or in.*");
+  }
+  flow->add_option("-o,--output", arguments.flow_file, "the picture")->capture_default_str();
+  flow->add_option("--time", arguments.flow.time_s, "the dump nearest to T [s]; default: the last");
+  flow->add_option("--length", arguments.flow.length_m,
+                   "length of a strip [m]; default: 8 times the channel's height");
+  flow->add_option("--at", arguments.flow.at_m,
+                   "one strip around this z [m]; default: begin, middle and end");
+  flow->add_option("--width", arguments.flow.width_px, "width of the picture [pixels]")
+      ->capture_default_str();
+  flow->add_option("--title", arguments.flow.title, "instead of the time");
+
   CLI11_PARSE(app, argc, argv);
+  if (*flow_series) {
+    const FlowSeriesFiles written =
+        write_flow_series(arguments.run, arguments.flow.time_step_s, Meter());
+    std::cout << written.states << " states: " << written.particles_pvd.string() << ", "
+              << written.foam.string() << '\n';
+    return 0;
+  }
+  if (*flow) {
+    write_flow_picture(arguments.run, arguments.flow_file, arguments.flow);
+    std::cout << arguments.flow_file << '\n';
+    return 0;
+  }
   if (*table) {
     const std::string text = residual_table(read_results(arguments.run), arguments.run);
     if (arguments.table_file.empty()) {

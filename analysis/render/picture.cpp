@@ -2,14 +2,9 @@
 #include "analysis/render/picture.h"
 
 #include <fmt/format.h>
-#include <vtkImageData.h>
-#include <vtkImageShrink3D.h>
 #include <vtkNew.h>
-#include <vtkPNGWriter.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
-#include <vtkUnsignedCharArray.h>
-#include <vtkWindowToImageFilter.h>
 
 #include <algorithm>
 #include <cmath>
@@ -19,13 +14,12 @@
 #include "analysis/render/frame_choice.h"
 #include "analysis/render/gl_context.h"
 #include "analysis/render/legend.h"
+#include "analysis/render/png.h"
 #include "analysis/render/scene.h"
 #include "liggghts_styles/models/invalid_input.h"
 
 namespace powderlink::render {
 namespace {
-
-constexpr int kOversampling = 2;  ///< drawn larger and averaged: smooth edges without hardware
 
 constexpr double kFallShare = 0.7;  ///< of the depth, for the fastest grain of the last picture
 constexpr int kFlightStates = 24;
@@ -161,24 +155,6 @@ std::string caption_of(const RunDirectory& run, const State& state, std::size_t 
     return caption + "~t = " + time_text(state.clock);
   }
   return caption + fmt::format("step {}", state.step);
-}
-
-std::string png_of(vtkRenderWindow* window) {
-  vtkNew<vtkWindowToImageFilter> grab;
-  grab->SetInput(window);
-  grab->SetInputBufferTypeToRGB();
-  grab->ReadFrontBufferOff();
-  vtkNew<vtkImageShrink3D> average;
-  average->SetInputConnection(grab->GetOutputPort());
-  average->SetShrinkFactors(kOversampling, kOversampling, 1);
-  average->MeanOn();
-  vtkNew<vtkPNGWriter> writer;
-  writer->SetInputConnection(average->GetOutputPort());
-  writer->WriteToMemoryOn();
-  writer->Write();
-  vtkUnsignedCharArray* bytes = writer->GetResult();
-  return {reinterpret_cast<const char*>(bytes->GetPointer(0)),
-          static_cast<std::size_t>(bytes->GetNumberOfValues())};
 }
 
 }  // namespace

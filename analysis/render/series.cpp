@@ -3,41 +3,18 @@
 
 #include <vtkPolyData.h>
 
-#include <sstream>
 #include <string>
 #include <vector>
 
 #include "analysis/render/files.h"
 #include "analysis/render/particle_frame.h"
 #include "analysis/render/plate.h"
+#include "analysis/render/pvd.h"
 
 namespace powderlink::render {
-namespace {
-
-struct Entry {
-  double time_s;
-  std::string file;  ///< relative to the .pvd
-};
-
-std::string pvd(const std::vector<Entry>& entries) {
-  std::ostringstream text;
-  text.precision(12);
-  text << "<?xml version=\"1.0\"?>\n"
-          "<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
-          "  <Collection>\n";
-  for (const Entry& entry : entries) {
-    text << "    <DataSet timestep=\"" << entry.time_s << "\" group=\"\" part=\"0\" file=\""
-         << entry.file << "\"/>\n";
-  }
-  text << "  </Collection>\n</VTKFile>\n";
-  return text.str();
-}
-
-}  // namespace
-
 SeriesFiles write_series(const RunDirectory& run, const std::string& fix,
                          const Progress& progress) {
-  std::vector<Entry> particles, plate;
+  std::vector<PvdEntry> particles, plate;
   vtkSmartPointer<vtkPolyData> plane;
   StagedFolder folder(run.path / "vtk");
   std::size_t done = 0;
@@ -63,8 +40,8 @@ SeriesFiles write_series(const RunDirectory& run, const std::string& fix,
 
   SeriesFiles written{run.path / "particles.pvd", run.path / "plate.pvd", particles.size()};
   if (plane != nullptr) write_vtp(run.path / "plate.vtp", plane);
-  write_file(written.particles_pvd, pvd(particles));
-  write_file(written.plate_pvd, pvd(plate));
+  write_file(written.particles_pvd, pvd_text(particles));
+  write_file(written.plate_pvd, pvd_text(plate));
   return written;
 }
 

@@ -19,6 +19,12 @@ std::string list_of(const std::set<std::string>& roles) {
   return text;
 }
 
+BridgeError not_two_roles(const std::set<std::string>& roles) {
+  return {BridgeError::Kind::bad_input, "programs in this mpirun", list_of(roles),
+          "two roles, e.g. dem and solver",
+          "start both in one mpirun, separated by ' : ', or couple them by a socket"};
+}
+
 }  // namespace
 
 void wait_for(MPI_Request& request, const Deadline& deadline, const std::string& waited_for) {
@@ -34,7 +40,7 @@ void wait_for(MPI_Request& request, const Deadline& deadline, const std::string&
 
 // A solver built on a library that uses MPI_COMM_WORLD replaces the MPI_ functions that take it; the
 // PMPI_ ones still see both programs.
-MpiWorld split_world(const std::string& role, double timeout_s) {
+MpiWorld split_world_if_shared(const std::string& role, double timeout_s) {
   RoleText mine{};
   if (role.empty() || role.size() >= mine.size()) {
     throw BridgeError(BridgeError::Kind::bad_input, "role of this program", "'" + role + "'",
@@ -67,12 +73,15 @@ MpiWorld split_world(const std::string& role, double timeout_s) {
   }
   delete all;
   delete sent;
-  if (roles.size() != 2) {
-    throw BridgeError(BridgeError::Kind::bad_input, "programs in this mpirun", list_of(roles),
-                      "two roles, e.g. dem and solver",
-                      "start both in one mpirun, separated by ' : ', or couple them by a socket");
-  }
+  if (roles.size() > 2) throw not_two_roles(roles);
   world.role = role;
+  if (roles.size() == 1) {
+    world.local = MPI_COMM_WORLD;
+    world.rank = rank;
+    world.ranks = size;
+    world.peer_ranks = 0;
+    return world;
+  }
   MPI_Comm both = MPI_COMM_NULL;
   PMPI_Comm_dup(MPI_COMM_WORLD, &both);
   PMPI_Comm_split(both, role < world.peer_role ? 0 : 1, rank, &world.local);
@@ -85,8 +94,14 @@ MpiWorld split_world(const std::string& role, double timeout_s) {
   return world;
 }
 
-void share_outcome(MPI_Comm local, bool& failed, BridgeError::Kind& kind, std::string& text,
-                   double timeout_s) {
+MpiWorld split_world(const std::string& role, double timeout_s) {
+  MpiWorld world = split_world_if_shared(role, timeout_s);
+  if (!holds_other_program(world)) throw not_two_roles({role});
+  return world;
+}
+
+void share_outcome(MPI_Comm local, int root, bool& failed, BridgeError::Kind& kind,
+                   std::string& text, double timeout_s) {
   struct Outcome {
     int failed;
     int kind;
@@ -97,9 +112,10 @@ void share_outcome(MPI_Comm local, bool& failed, BridgeError::Kind& kind, std::s
   outcome->kind = static_cast<int>(kind);
   text.copy(outcome->text, sizeof outcome->text - 1);
   MPI_Request request = MPI_REQUEST_NULL;
-  MPI_Ibcast(outcome, static_cast<int>(sizeof(Outcome)), MPI_BYTE, 0, local, &request);
-  // Rank 0 needs up to its own timeout; a little more lets its message win over this one.
-  wait_for(request, Deadline(1.1 * timeout_s + 1.0), "rank 0 of this program");
+  MPI_Ibcast(outcome, static_cast<int>(sizeof(Outcome)), MPI_BYTE, root, local, &request);
+  // That rank needs up to its own timeout; a little more lets its message win over this one.
+  wait_for(request, Deadline(1.1 * timeout_s + 1.0),
+           "rank " + std::to_string(root) + " of this program");
   failed = outcome->failed != 0;
   kind = static_cast<BridgeError::Kind>(outcome->kind);
   text = outcome->text;

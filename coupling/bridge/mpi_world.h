@@ -28,12 +28,18 @@ struct MpiWorld {
 /// does not call it. Works in a program that maps MPI_COMM_WORLD to its own half.
 MpiWorld split_world(const std::string& role, double timeout_s);
 
+/// The same for a program that also runs alone, with or without mpirun: when all ranks have one role,
+/// `local` is MPI_COMM_WORLD, `inter` stays MPI_COMM_NULL and nothing is an error.
+MpiWorld split_world_if_shared(const std::string& role, double timeout_s);
+
+inline bool holds_other_program(const MpiWorld& world) { return world.inter != MPI_COMM_NULL; }
+
 /// Waits for a request, also of a nonblocking collective; throws deadline.error(waited_for).
 void wait_for(MPI_Request& request, const Deadline& deadline, const std::string& waited_for);
 
-/// Collective over `local`: shares the text of rank 0 with all; used by on_first_rank().
-void share_outcome(MPI_Comm local, bool& failed, BridgeError::Kind& kind, std::string& text,
-                   double timeout_s);
+/// Collective over `local`: shares the text of rank `root` with all; used by on_first_rank().
+void share_outcome(MPI_Comm local, int root, bool& failed, BridgeError::Kind& kind,
+                   std::string& text, double timeout_s);
 
 /// Collective over `local`: runs `action` on rank 0; its BridgeError is thrown on every rank. For
 /// sessions: the other ranks wait as long as rank 0 may, `timeout_s` is the limit for all.
@@ -53,7 +59,7 @@ void on_first_rank(MPI_Comm local, double timeout_s, Action&& action) {
       text = e.what();
     }
   }
-  share_outcome(local, failed, kind, text, timeout_s);
+  share_outcome(local, 0, failed, kind, text, timeout_s);
   if (failed) throw BridgeError(kind, text);
 }
 

@@ -42,6 +42,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 #include "fvOptions.H"
 #include "couplingProperties.H"
 #include "particleMomentum.H"
+#include "mpiWorld.H"
 
 // * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
 
@@ -68,8 +69,6 @@ int main(int argc, char *argv[])
 
     turbulence->validate();
 
-    label nStepsToCoupling = 0;
-
     Info<< "\nStarting time loop\n" << endl;
 
     while (runTime.run())
@@ -78,18 +77,20 @@ int main(int argc, char *argv[])
         #include "CourantNo.H"
         const scalar deltaTOfCoNum = runTime.deltaTValue();
         #include "setDeltaT.H"
+        #include "meetExchange.H"
         #include "checkCourantNo.H"
+
+        if (!particles->startStep())
+        {
+            runTime.writeNow();
+            break;
+        }
 
         ++runTime;
 
         Info<< "Time = " << runTime.timeName() << nl << endl;
 
-        if (nStepsToCoupling == 0)
-        {
-            particles->correct();
-            nStepsToCoupling = coupling.couplingInterval();
-        }
-        --nStepsToCoupling;
+        particles->advanceFluidFraction();
 
         alphaff = fvc::interpolate(alphaf);
         alphaPhi = alphaff*phi;
@@ -112,10 +113,15 @@ int main(int argc, char *argv[])
             }
         }
 
+        particles->endStep();
+
         runTime.write();
 
         runTime.printExecutionTime(Info);
     }
+
+    particles->finish();
+    mpiWorld::finalise();
 
     Info<< "End\n" << endl;
 

@@ -2,4 +2,4 @@
 # Removes everything that run.sh made.
 set -euo pipefail
 cd "$(dirname "$0")"
-rm -rf results
+rm -rf results results.json

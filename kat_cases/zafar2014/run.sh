@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Critical diameters with LIGGGHTS, beside theory, reduced model and measurement.
+# run.sh [--short] [--out DIR] [options of powderlink kat run]
 set -euo pipefail
 cd "$(dirname "$0")"
-mkdir -p results
-../../powderlink kat run study.toml --out results --json results/kat.json "$@"
+. ../../scripts/kat_case.sh
+kat_case zafar2014 "$@"

@@ -6,8 +6,7 @@
 #include <limits>
 #include <sstream>
 
-#include <boost/lexical_cast.hpp>
-
+#include "host/argument_words.h"
 #include "host/kat_population.h"
 
 namespace powderlink::host {
@@ -16,44 +15,6 @@ namespace {
 
 const char* const kKeywords =
     "wall, plate, velocity, fall, stop, rebound, frame, gravity, settle, watch, populate, results";
-
-/// The words of the command, read one after the other; every error names the keyword.
-class Words {
- public:
-  Words(int narg, const char* const* arg) : n_(narg), arg_(arg) {}
-  bool more() const { return i_ < n_; }
-  std::string next(const std::string& what, const std::string& allowed) {
-    if (!more())
-      throw InvalidInput(what, "nothing (end of the line)", allowed, "complete the line");
-    return arg_[i_++];
-  }
-  double number(const std::string& what, double low, double high, const std::string& allowed) {
-    const std::string word = next(what, allowed);
-    double value = 0.0;
-    if (!boost::conversion::try_lexical_convert(word, value) || !(value >= low && value <= high)) {
-      throw InvalidInput(what, word, allowed, "give one number in SI units");
-    }
-    return value;
-  }
-  double positive(const std::string& what) {
-    return number(what, std::numeric_limits<double>::min(), std::numeric_limits<double>::max(),
-                  "> 0");
-  }
-  int count(const std::string& what, int low) {
-    const std::string allowed = "a whole number from " + std::to_string(low) + " to 10000000";
-    const int before = i_;
-    const double value = number(what, low, 1e7, allowed);
-    if (value != std::floor(value)) {
-      throw InvalidInput(what, arg_[before], allowed, "give a number without a fraction");
-    }
-    return static_cast<int>(value);
-  }
-
- private:
-  int n_;
-  const char* const* arg_;
-  int i_ = 3;
-};
 
 models::StopPulse measured_stop(const std::string& file, double rebound) {
   std::ifstream in(file);

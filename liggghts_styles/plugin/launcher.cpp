@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// liggghts-powderlink: LIGGGHTS with all its options, and powderlink's styles.
+/// liggghts-powderlink: LIGGGHTS with all its options, and powderlink's styles. In one mpirun with
+/// another powderlink program (a coupled job) LIGGGHTS gets the ranks of this one only.
 #include <csignal>
 #include <cstdio>
 #include <cstring>
@@ -10,9 +11,28 @@
 #include "lammps.h"
 #include "signal_handling.h"
 
+#include "coupling/bridge/mpi_world.h"
+#include "host/coupled_world.h"
 #include "plugin/styles.h"
 
 namespace {
+
+bool shared_job = false;  // with another program that has not ended in order, as far as known here
+
+/// The other program of the job calls this at its start, too, unless it is none of powderlink's.
+MPI_Comm own_ranks() {
+  constexpr double timeout_s = 60.0;
+  try {
+    const auto world = powderlink::bridge::split_world_if_shared("dem", timeout_s);
+    powderlink::host::set_coupled_world(world);
+    shared_job = powderlink::bridge::holds_other_program(world);
+    return world.local;
+  } catch (const powderlink::bridge::BridgeError& problem) {
+    std::fprintf(stderr, "ERROR: %s\n", problem.what());
+    MPI_Abort(MPI_COMM_WORLD, 1);
+    return MPI_COMM_NULL;
+  }
+}
 
 // As LIGGGHTS's own program: the first Ctrl-C (or mpirun's SIGTERM) ends the run after the step.
 void install_signal_handlers() {
@@ -34,6 +54,15 @@ bool asks_for_help(int argc, char** argv) {
 
 }  // namespace
 
+// LIGGGHTS ends on errors by MPI_Finalize, which waits for the other program of a coupled job.
+extern "C" int MPI_Finalize() {
+  if (shared_job) {
+    std::fflush(nullptr);
+    PMPI_Abort(MPI_COMM_WORLD, 1);
+  }
+  return PMPI_Finalize();
+}
+
 int main(int argc, char** argv) {
   install_signal_handlers();
   MPI_Init(&argc, &argv);
@@ -46,10 +75,11 @@ int main(int argc, char** argv) {
       std::fflush(stdout);
     }
   }
-  auto* lammps = new LAMMPS_NS::LAMMPS(argc, argv, MPI_COMM_WORLD);
+  auto* lammps = new LAMMPS_NS::LAMMPS(argc, argv, own_ranks());
   powderlink::plugin::register_styles(lammps);
   lammps->input->file();
   delete lammps;
+  shared_job = false;
   MPI_Finalize();
   return 0;
 }

@@ -12,6 +12,7 @@
 #include "modify.h"
 
 #include "host/fix_adhesion_effect.h"
+#include "host/fix_couple_bridge.h"
 #include "host/fix_kat_drop.h"
 #include "host/kat_run_command.h"
 #include "host/private_access.h"
@@ -40,6 +41,7 @@ void register_styles(LAMMPS* lmp) {
   register_contact_models();
   auto& fixes = *(lmp->modify->*pointer_to(host::FixMap()));
   fixes["adhesion/effect"] = &make_fix<host::FixAdhesionEffect>;
+  fixes[host::FixCoupleBridge::kStyle] = &make_fix<host::FixCoupleBridge>;
   fixes["kat/drop"] = &make_fix<host::FixKatDrop>;
   auto& commands = *(lmp->input->*pointer_to(host::CommandMap()));
   commands["kat/run"] = &host::kat_run_command;
@@ -53,6 +55,7 @@ const char* help() {
          "  fix property/global               workOfAdhesion peratomtypepair N ...   [J/m^2]\n"
          "  fix kat/drop                      Kinetic Adhesion Test: settle, fall, stop, detach\n"
          "  fix adhesion/effect               one effect of 'powderlink effects'\n"
+         "  fix couple/bridge every N         gas around the particles, from powderFoam\n"
          "  kat/run FIX-ID                    runs until the test of that fix is over\n";
 }
 

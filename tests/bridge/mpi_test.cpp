@@ -1,51 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Two programs in one mpirun.
-#include <sys/wait.h>
-
-#include <array>
-#include <chrono>
-#include <cstdio>
 #include <string>
 
 #include <gtest/gtest.h>
 
+#include "tests/bridge/mpirun.h"
 #include "tests/bridge/temporary_folder.h"
 
 namespace powderlink::test {
 namespace {
 
-struct Outcome {
-  int status = -1;
-  double wall_s = 0.0;
-  std::string output;
-
-  bool says(const std::string& words) const { return output.find(words) != std::string::npos; }
-};
-
-Outcome shell(const std::string& command) {
-  Outcome run;
-  const auto start = std::chrono::steady_clock::now();
-  FILE* pipe = popen((command + " 2>&1").c_str(), "r");
-  if (!pipe) return run;
-  std::array<char, 4096> part{};
-  while (fgets(part.data(), static_cast<int>(part.size()), pipe)) run.output += part.data();
-  const int status = pclose(pipe);
-  run.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-  run.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  return run;
-}
-
-constexpr const char* mpirun =
-    "OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 " BRIDGE_MPIRUN
-    " --oversubscribe --mca mpi_yield_when_idle 1 ";
-
 std::string program(int ranks, const std::string& role, const std::string& task) {
-  return "-np " + std::to_string(ranks) + " " BRIDGE_MPI_PROGRAM " " + role + " " + task;
+  return ranks_of(ranks, BRIDGE_MPI_PROGRAM, role + " " + task);
 }
 
 Outcome coupled(int dem_ranks, int solver_ranks, const std::string& task) {
-  return shell(mpirun + program(dem_ranks, "dem", task) + " : " +
-               program(solver_ranks, "solver", task));
+  return mpirun(program(dem_ranks, "dem", task) + " : " + program(solver_ranks, "solver", task));
 }
 
 TEST(Mpi, ConformanceOneToTwo) {
@@ -114,14 +84,14 @@ TEST(Mpi, AbortEndsBothWithinFiveSeconds) {
 }
 
 TEST(Mpi, ASingleProgramIsToldToStartTheOther) {
-  const Outcome run = shell(mpirun + program(2, "dem", "exchange"));
+  const Outcome run = mpirun(program(2, "dem", "exchange"));
   EXPECT_NE(run.status, 0);
   EXPECT_TRUE(run.says("given: dem; allowed: two roles")) << run.output;
 }
 
 TEST(Mpi, AProgramThatDoesNotCoupleIsNoticedAtTheTimeout) {
   const Outcome run =
-      shell(mpirun + program(1, "dem", "present") + " : " + program(1, "solver", "absent"));
+      mpirun(program(1, "dem", "present") + " : " + program(1, "solver", "absent"));
   EXPECT_NE(run.status, 0);
   EXPECT_LT(run.wall_s, 5.0);
   EXPECT_TRUE(run.says("waiting for the other program in this mpirun")) << run.output;

@@ -132,6 +132,26 @@ Outcome LiggghtsCase::run(const std::string& script, int ranks, Program program)
   return outcome;
 }
 
+Outcome LiggghtsCase::couple(const std::string& script, const Coupled& how) const {
+  write("in.script", script);
+  const std::string mpirun = "mpirun --oversubscribe --bind-to none --mca mpi_yield_when_idle 1";
+  const auto program = [](int ranks, const std::string& line) {
+    return " -np " + std::to_string(ranks) + " " + line;
+  };
+  const std::string dem = program(
+      how.dem_ranks, how.before.empty()
+                         ? "'" POWDERLINK_LAUNCHER "' -in in.script"
+                         : "sh -c \"" + how.before + "; exec '" POWDERLINK_LAUNCHER "' -in in.script\"");
+  std::string solver = program(how.solver_ranks, "'" POWDERLINK_FAKE_SOLVER "' case=" +
+                                                     folder_.filename().string() + " " + how.solver);
+  if (!how.socket) return execute(mpirun + dem + " :" + solver);
+  solver += " socket=meet";
+  write("couple.sh", mpirun + solver + " > solver.txt 2>&1 &\nsolver=$!\n" + mpirun + dem +
+                         "\nstatus=$?\nwait $solver || test $status -ne 0 || status=99\n"
+                         "cat solver.txt\nexit $status\n");
+  return execute("sh couple.sh");
+}
+
 std::string header(const Setting& s, const std::string& data_file) {
   std::ostringstream out;
   out << std::setprecision(17)

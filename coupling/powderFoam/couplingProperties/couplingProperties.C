@@ -1,64 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "couplingProperties.H"
-
-// * * * * * * * * * * * * Static Member Functions * * * * * * * * * * * * * //
-
-void Foam::couplingProperties::checkEntries
-(
-    const dictionary& dict,
-    const wordList& required,
-    const wordList& optional
-)
-{
-    wordList valid(required);
-    valid.append(optional);
-
-    for (const word& key : dict.toc())
-    {
-        if (!valid.found(key))
-        {
-            FatalIOErrorInFunction(dict)
-                << "unknown entry" << nl
-                << "    given:   " << key << nl
-                << "    allowed: " << flatOutput(valid) << nl
-                << "    to do:   correct the name or remove the entry" << nl
-                << exit(FatalIOError);
-        }
-    }
-
-    for (const word& key : required)
-    {
-        if (!dict.found(key))
-        {
-            FatalIOErrorInFunction(dict)
-                << "missing entry " << key << nl
-                << "    given:   " << flatOutput(dict.toc()) << nl
-                << "    allowed: " << flatOutput(valid) << "; required: "
-                << flatOutput(required) << nl
-                << "    to do:   add the entry " << key << nl
-                << exit(FatalIOError);
-        }
-    }
-}
-
-
-void Foam::couplingProperties::badValue
-(
-    const dictionary& dict,
-    const word& keyword,
-    const string& given,
-    const string& allowed
-)
-{
-    FatalIOErrorInFunction(dict)
-        << "bad value of entry " << keyword << nl
-        << "    given:   " << given.c_str() << nl
-        << "    allowed: " << allowed.c_str() << nl
-        << "    to do:   correct the entry" << nl
-        << exit(FatalIOError);
-}
-
+#include "dictionaryChecks.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -66,6 +9,7 @@ Foam::couplingProperties::couplingProperties(const fvMesh& mesh)
 :
     pressureShared_(true),
     couplingInterval_(1),
+    couplingTime_(0),
     maxCoFatal_(5),
     particleMomentumDict_()
 {
@@ -89,17 +33,17 @@ Foam::couplingProperties::couplingProperties(const fvMesh& mesh)
         return;
     }
 
-    checkEntries
+    dictionaryChecks::checkEntries
     (
         dict,
         {"model"},
-        {"couplingInterval", "maxCoFatal", "particleMomentum"}
+        {"couplingInterval", "couplingTime", "maxCoFatal", "particleMomentum"}
     );
 
     const word model(dict.get<word>("model"));
     if (model != "A" && model != "B")
     {
-        badValue
+        dictionaryChecks::badValue
         (
             dict,
             "model",
@@ -113,7 +57,7 @@ Foam::couplingProperties::couplingProperties(const fvMesh& mesh)
     dict.readIfPresent("couplingInterval", couplingInterval_);
     if (couplingInterval_ < 1)
     {
-        badValue
+        dictionaryChecks::badValue
         (
             dict,
             "couplingInterval",
@@ -122,10 +66,25 @@ Foam::couplingProperties::couplingProperties(const fvMesh& mesh)
         );
     }
 
+    if (dict.readIfPresent("couplingTime", couplingTime_))
+    {
+        if (!(couplingTime_ > 0) || dict.found("couplingInterval"))
+        {
+            dictionaryChecks::badValue
+            (
+                dict,
+                "couplingTime",
+                Foam::name(couplingTime_) + " s"
+              + (dict.found("couplingInterval") ? " and couplingInterval" : ""),
+                "a time above 0 s, instead of couplingInterval"
+            );
+        }
+    }
+
     dict.readIfPresent("maxCoFatal", maxCoFatal_);
     if (!(maxCoFatal_ > 0))
     {
-        badValue
+        dictionaryChecks::badValue
         (
             dict,
             "maxCoFatal",

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "particleMomentum.H"
-#include "couplingProperties.H"
+#include "dictionaryChecks.H"
 #include "addToRunTimeSelectionTable.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -19,7 +19,7 @@ namespace Foam
 Foam::particleMomentum::particleMomentum
 (
     const fvMesh& mesh,
-    const dictionary&
+    const couplingProperties&
 )
 :
     mesh_(mesh),
@@ -43,12 +43,13 @@ Foam::particleMomentum::particleMomentum
 Foam::autoPtr<Foam::particleMomentum> Foam::particleMomentum::New
 (
     const fvMesh& mesh,
-    const dictionary& dict
+    const couplingProperties& coupling
 )
 {
+    const dictionary& dict = coupling.particleMomentumDict();
     if (dict.empty())
     {
-        return autoPtr<particleMomentum>::New(mesh, dict);
+        return autoPtr<particleMomentum>::New(mesh, coupling);
     }
 
     OStringStream allowed;
@@ -57,24 +58,24 @@ Foam::autoPtr<Foam::particleMomentum> Foam::particleMomentum::New
     word modelType;
     if (!dict.readIfPresent("type", modelType))
     {
-        couplingProperties::badValue(dict, "type", "missing", allowed.str());
+        dictionaryChecks::badValue(dict, "type", "missing", allowed.str());
     }
 
     auto cstrIter = dictionaryConstructorTablePtr_->cfind(modelType);
 
     if (!cstrIter.found())
     {
-        couplingProperties::badValue(dict, "type", modelType, allowed.str());
+        dictionaryChecks::badValue(dict, "type", modelType, allowed.str());
     }
 
     if (modelType == typeName)
     {
-        couplingProperties::checkEntries(dict, {"type"}, {});
+        dictionaryChecks::checkEntries(dict, {"type"}, {});
     }
 
     Info<< "Selecting particleMomentum " << modelType << nl << endl;
 
-    return autoPtr<particleMomentum>(cstrIter()(mesh, dict));
+    return autoPtr<particleMomentum>(cstrIter()(mesh, coupling));
 }
 
 

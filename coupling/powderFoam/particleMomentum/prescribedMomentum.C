@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "prescribedMomentum.H"
-#include "couplingProperties.H"
+#include "dictionaryChecks.H"
 #include "addToRunTimeSelectionTable.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -23,17 +23,18 @@ namespace Foam
 Foam::prescribedMomentum::prescribedMomentum
 (
     const fvMesh& mesh,
-    const dictionary& dict
+    const couplingProperties& coupling
 )
 :
-    particleMomentum(mesh, dict)
+    particleMomentum(mesh, coupling)
 {
-    couplingProperties::checkEntries(dict, {"type", "Su", "Sp"}, {});
+    const dictionary& dict = coupling.particleMomentumDict();
+    dictionaryChecks::checkEntries(dict, {"type", "Su", "Sp"}, {});
 
     const scalar Sp = dict.get<scalar>("Sp");
     if (!(Sp <= 0))
     {
-        couplingProperties::badValue
+        dictionaryChecks::badValue
         (
             dict,
             "Sp",

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file flow_report.h
+/// Everything that `powderlink flow` finds in a coupled case, and its files.
+/// Tests: tests/analysis/flow_case_test.cpp, tests/analysis/flow_command_test.cpp
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "analysis/flow/flow_statistics.h"
+#include "analysis/flow/moving_average.h"
+#include "analysis/flow/pressure_profile.h"
+#include "analysis/flow/solver_log.h"
+
+namespace powderlink::analysis {
+
+struct FlowOptions {
+  FlowWindow window;
+  double average_s = 2e-3;              ///< window of the moving average
+  std::optional<Interval> slice_m;      ///< of the solids flow
+  std::optional<double> time_step_s;    ///< of the DEM
+  std::optional<double> density_kg_m3;  ///< of the gas
+  std::string probes;  ///< set of probes; empty: the one with the most in the window
+};
+
+struct FlowReport {
+  explicit FlowReport(const FlowOptions& options) : options(options), particles(options.window) {}
+
+  FlowOptions options;
+  FlowStatistics particles;
+  std::optional<Interval> slice_m;
+  std::vector<double> times_s, flow_kg_s;  ///< established states
+  std::vector<std::optional<double>> average_kg_s;
+  std::optional<double> mean_flow_kg_s;
+  std::optional<Irregularity> irregularity;
+  std::optional<PressureProfile> pressure;
+  std::optional<PressureSlope> slope;
+  SolverCost cost;
+  std::vector<std::string> notes;  ///< what is missing and why
+};
+
+using FlowProgress = std::function<void(std::size_t done, std::size_t all)>;
+
+/// The case itself, or its results/case where foam_cases/*/run.sh leave what they ran.
+std::filesystem::path find_coupled_case(const std::filesystem::path& folder);
+
+/// Throws for damaged files and for a case with neither particles nor pressure.
+FlowReport analyse_flow(const std::filesystem::path& case_folder, const FlowOptions& options,
+                        const FlowProgress& progress = {});
+
+/// Nine numbers, null for what is missing.
+std::string flow_json(const FlowReport& report);
+
+/// File name and content: pressure, solids_flow, height, velocity, width, concentration.
+std::vector<std::pair<std::string, std::string>> flow_tables(const FlowReport& report);
+
+}  // namespace powderlink::analysis

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/flow/pressure_profile.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <boost/math/statistics/linear_regression.hpp>
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <sstream>
+
+#include "models/invalid_input.h"
+
+namespace powderlink::analysis {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr double kNotFound = -1e200;  // OpenFOAM's mark for a probe outside the mesh is -1e300
+
+[[noreturn]] void damaged(const fs::path& file, long line, const std::string& given) {
+  throw InvalidInput(fmt::format("reading {}, line {}", file.string(), line), given,
+                     "scalar probes as OpenFOAM writes them: # Probe N (x y z), then a time and "
+                     "one value per probe",
+                     "run the case again, or remove this file");
+}
+
+double number(const std::string& text, const fs::path& file, long line) {
+  double value = 0.0;
+  const char* last = text.data() + text.size();
+  const auto [end, error] = std::from_chars(text.data(), last, value);
+  if (error != std::errc() || end != last || !std::isfinite(value)) {
+    damaged(file, line, "'" + text.substr(0, 40) + "' where a number belongs");
+  }
+  return value;
+}
+
+struct ProbeFile {
+  std::vector<double> z_m;
+  std::vector<std::pair<double, std::vector<double>>> rows;  ///< time, kinematic pressures
+};
+
+ProbeFile read_probes(const fs::path& file) {
+  static const std::regex head(R"(#\s*Probe\s+\d+\s*\(\s*(\S+)\s+(\S+)\s+([^\s)]+)\s*\).*)");
+  std::ifstream in(file);
+  ProbeFile probes;
+  std::string line;
+  std::smatch match;
+  long count = 0;
+  while (std::getline(in, line)) {
+    ++count;
+    if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
+    if (line[0] == '#') {
+      if (std::regex_match(line, match, head)) probes.z_m.push_back(number(match[3], file, count));
+      continue;
+    }
+    std::istringstream text(line);
+    std::string word;
+    text >> word;
+    std::pair<double, std::vector<double>> row{number(word, file, count), {}};
+    while (text >> word) row.second.push_back(number(word, file, count));
+    if (row.second.size() != probes.z_m.size()) {
+      // A run that was killed may leave its last line unfinished.
+      if (in.peek() == std::ifstream::traits_type::eof()) break;
+      damaged(file, count,
+              fmt::format("{} values for {} probes", row.second.size(), probes.z_m.size()));
+    }
+    probes.rows.push_back(std::move(row));
+  }
+  if (probes.z_m.empty()) damaged(file, count, "no line # Probe N (x y z)");
+  return probes;
+}
+
+/// Folders of one probe set by start time.
+std::map<double, fs::path> starts(const fs::path& set) {
+  std::map<double, fs::path> found;
+  std::error_code problem;
+  for (const auto& entry : fs::directory_iterator(set, problem)) {
+    const std::string name = entry.path().filename().string();
+    double time = 0.0;
+    const char* last = name.data() + name.size();
+    const auto [end, error] = std::from_chars(name.data(), last, time);
+    if (error == std::errc() && end == last && fs::is_regular_file(entry.path() / "p")) {
+      found[time] = entry.path() / "p";
+    }
+  }
+  return found;
+}
+
+}  // namespace
+
+std::optional<double> gas_density_kg_m3(const fs::path& case_folder, std::optional<double> given) {
+  std::string place = "option --density", text;
+  if (given) {
+    text = number_text(*given);
+  } else {
+    const fs::path file = case_folder / "constant" / "transportProperties";
+    place = "rho in " + file.string();
+    std::ifstream in(file);
+    std::stringstream all;
+    all << in.rdbuf();
+    // rho 1.2;   rho [1 -3 0 0 0 0 0] 1.2;   rho rho [1 -3 0 0 0 0 0] 1.2;
+    static const std::regex entry(
+        R"((?:^|\n)[ \t]*rho[ \t]+(?:rho[ \t]+)?(?:\[[^\]]*\][ \t]*)?([-+0-9.eE]+)[ \t]*;)");
+    const std::string content = all.str();
+    std::smatch match;
+    if (!std::regex_search(content, match, entry)) return {};
+    text = match[1];
+  }
+  double density = 0.0;
+  std::from_chars(text.data(), text.data() + text.size(), density);
+  if (!(density > 0.0 && std::isfinite(density))) {
+    throw InvalidInput(place, text + " kg/m^3", "a density above 0", "correct it, such as 1.6355");
+  }
+  return density;
+}
+
+std::vector<std::string> pressure_probe_sets(const fs::path& case_folder) {
+  std::vector<std::string> sets;
+  std::error_code problem;
+  for (const auto& entry : fs::directory_iterator(case_folder / "postProcessing", problem)) {
+    if (entry.is_directory() && !starts(entry.path()).empty()) {
+      sets.push_back(entry.path().filename().string());
+    }
+  }
+  std::sort(sets.begin(), sets.end());
+  return sets;
+}
+
+PressureProfile read_pressure(const fs::path& case_folder, const std::string& set,
+                              double density_kg_m3, double from_s) {
+  const std::map<double, fs::path> files = starts(case_folder / "postProcessing" / set);
+  if (files.empty()) {
+    std::string known;
+    for (const std::string& name : pressure_probe_sets(case_folder)) known += " " + name;
+    throw InvalidInput(
+        "option --probes", set,
+        known.empty() ? "no probes have recorded p in postProcessing/" : known.substr(1),
+        "name one of these, or add probes of p to system/controlDict");
+  }
+  PressureProfile profile{set, {}, 0};
+  std::vector<double> z, sums, weights;
+  for (auto at = files.begin(); at != files.end(); ++at) {
+    const auto following = std::next(at);
+    const ProbeFile file = read_probes(at->second);
+    if (z.empty()) {
+      z = file.z_m;
+      sums.assign(z.size(), 0.0);
+      weights.assign(z.size(), 0.0);
+    } else if (z != file.z_m) {
+      damaged(at->second, 1, "other probes than before the restart");
+    }
+    double before = at->first;
+    for (const auto& [time, values] : file.rows) {
+      const double dt = time - before;
+      before = time;
+      if (time < from_s || dt <= 0.0) continue;
+      if (following != files.end() && time > following->first) break;
+      ++profile.rows;
+      for (std::size_t i = 0; i < values.size(); ++i) {
+        if (values[i] < kNotFound) continue;
+        sums[i] += dt * values[i];
+        weights[i] += dt;
+      }
+    }
+  }
+  for (std::size_t i = 0; i < z.size(); ++i) {
+    if (weights[i] > 0.0) profile.probes.push_back({z[i], density_kg_m3 * sums[i] / weights[i]});
+  }
+  std::sort(profile.probes.begin(), profile.probes.end(),
+            [](const ProbeMean& a, const ProbeMean& b) { return a.z_m < b.z_m; });
+  return profile;
+}
+
+std::optional<PressureSlope> fit_slope(const PressureProfile& profile, double from_z_m,
+                                       double to_z_m) {
+  std::vector<double> z, p;
+  for (const ProbeMean& probe : profile.probes) {
+    if (probe.z_m < from_z_m || probe.z_m > to_z_m) continue;
+    z.push_back(probe.z_m);
+    p.push_back(probe.pressure_Pa);
+  }
+  if (z.size() < 2 || z.front() == z.back()) return {};
+  const auto [intercept, slope, r_squared] =
+      boost::math::statistics::simple_ordinary_least_squares_with_R_squared(z, p);
+  return PressureSlope{intercept, -slope, r_squared, z.size()};
+}
+
+}  // namespace powderlink::analysis

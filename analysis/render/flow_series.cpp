@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/render/flow_series.h"
+
+#include <fmt/format.h>
+#include <vtkPolyData.h>
+
+#include <vector>
+
+#include "analysis/flow/dem_time_step.h"
+#include "analysis/render/files.h"
+#include "analysis/render/flow_case.h"
+#include "analysis/render/pvd.h"
+
+namespace powderlink::render {
+
+namespace fs = std::filesystem;
+
+FlowSeriesFiles write_flow_series(const fs::path& case_folder, std::optional<double> time_step_s,
+                                  const Progress& progress) {
+  const std::vector<fs::path> dumps = analysis::list_dumps(case_folder);
+  std::optional<double> dt_s;
+  std::vector<PvdEntry> entries;
+  StagedFolder folder(case_folder / "vtk");
+  std::size_t done = 0;
+  for (const fs::path& dump : dumps) {
+    analysis::read_dump(dump, [&](const analysis::DumpState& state) {
+      if (!state.time_s && !dt_s) dt_s = analysis::dem_time_step_s(case_folder, time_step_s);
+      const double time_s = state.time_s ? *state.time_s : static_cast<double>(state.step) * *dt_s;
+      const std::string name = fmt::format("particles_{}.vtp", state.step);
+      write_vtp(folder.path() / name, particles_of(state));
+      entries.push_back({time_s, "vtk/" + name});
+    });
+    if (progress) progress(++done, dumps.size());
+  }
+  folder.publish();
+  FlowSeriesFiles written{case_folder / "particles.pvd", make_foam_file(case_folder),
+                          entries.size()};
+  write_file(written.particles_pvd, pvd_text(entries));
+  return written;
+}
+
+}  // namespace powderlink::render

@@ -1,0 +1,301 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/restart/checkpoints.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <fstream>
+#include <map>
+#include <set>
+#include <sstream>
+
+#include "analysis/flow/dem_time_step.h"
+#include "models/invalid_input.h"
+
+namespace powderlink::analysis {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::array<const char*, 4> kFields{"U", "p", "phi", "alphaf"};
+constexpr double kDigits = 6.0;  // OpenFOAM's default timePrecision
+constexpr std::streamoff kTail_bytes = 200;
+constexpr std::size_t kMostLines = 10;  // of reasons in one message
+
+template <class Number>
+std::optional<Number> whole_number(const std::string& text) {
+  Number value{};
+  const char* last = text.data() + text.size();
+  const auto [end, error] = std::from_chars(text.data(), last, value);
+  if (error != std::errc() || end != last) return {};
+  return value;
+}
+
+/// How far a time may be from the name that OpenFOAM made of it: half a unit of the last
+/// significant digit, of which there are kDigits, or as many as the name shows.
+double rounding_of(const std::string& name, double time_s) {
+  if (time_s == 0.0) return 0.0;
+  const std::string number = name.substr(0, name.find_first_of("eE"));
+  const auto first =
+      std::find_if(number.begin(), number.end(), [](char c) { return c >= '1' && c <= '9'; });
+  const auto shown = std::count_if(first, number.end(), [](char c) { return c != '.'; });
+  const double digits = std::max(kDigits, static_cast<double>(shown));
+  return 0.5 * std::pow(10.0, std::floor(std::log10(std::abs(time_s))) + 1.0 - digits);
+}
+
+/// `value 0.0125;` in <T>/uniform/time.
+std::optional<double> exact_time(const fs::path& folder) {
+  std::ifstream in(folder / "uniform" / "time");
+  std::string key, value;
+  std::string line;
+  while (std::getline(in, line)) {
+    std::istringstream words(line);
+    if (words >> key >> value && key == "value" && value.back() == ';') {
+      value.pop_back();
+      return whole_number<double>(value);
+    }
+  }
+  return {};
+}
+
+/// OpenFOAM closes every file that it writes with a line of asterisks; a plain name for a whole
+/// file, else what is wrong.
+std::string why_not_whole(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  if (!in) return "cannot be read";
+  in.seekg(0, std::ios::end);
+  const std::streamoff size = in.tellg();
+  if (size == 0) return "is empty";
+  const std::streamoff tail = std::min(size, kTail_bytes);
+  in.seekg(size - tail);
+  std::string text(static_cast<std::size_t>(tail), '\0');
+  in.read(text.data(), tail);
+  if (file.extension() == ".gz") {
+    return size > 18 ? "" : "breaks off";  // shorter than gzip's own head and end
+  }
+  const std::size_t last = text.find_last_not_of(" \t\r\n");
+  if (last == std::string::npos || last < 4 || text.compare(last - 4, 5, "** //") != 0) {
+    return "breaks off: OpenFOAM's last line // *** // is missing";
+  }
+  return "";
+}
+
+/// Field files in a time folder, without the ending .gz.
+std::map<std::string, fs::path> files_of(const fs::path& folder) {
+  std::map<std::string, fs::path> files;
+  std::error_code problem;
+  for (const auto& entry : fs::directory_iterator(folder, problem)) {
+    if (!entry.is_regular_file()) continue;
+    const fs::path& file = entry.path();
+    files[(file.extension() == ".gz" ? file.stem() : file.filename()).string()] = file;
+  }
+  return files;
+}
+
+void judge(FieldCheckpoint& checkpoint, const std::vector<fs::path>& roots) {
+  std::set<std::string> wanted(kFields.begin(), kFields.end());
+  for (const fs::path& root : roots) {
+    for (const auto& [name, file] : files_of(root / checkpoint.name)) wanted.insert(name);
+  }
+  for (const fs::path& root : roots) {
+    const fs::path folder = root / checkpoint.name;
+    checkpoint.folders.push_back(folder);
+    const auto files = files_of(folder);
+    for (const std::string& name : wanted) {
+      const auto found = files.find(name);
+      const std::string wrong = found == files.end() ? "is missing" : why_not_whole(found->second);
+      if (!wrong.empty()) {
+        checkpoint.missing = (folder / name).string() + " " + wrong;
+        return;
+      }
+    }
+  }
+}
+
+std::vector<FieldCheckpoint> find_fields(const fs::path& case_folder) {
+  std::vector<fs::path> roots;
+  for (const auto& entry : fs::directory_iterator(case_folder)) {
+    const std::string name = entry.path().filename().string();
+    if (entry.is_directory() && name.rfind("processor", 0) == 0 &&
+        whole_number<int>(name.substr(9))) {
+      roots.push_back(entry.path());
+    }
+  }
+  std::sort(roots.begin(), roots.end(), [](const fs::path& a, const fs::path& b) {
+    return whole_number<int>(a.filename().string().substr(9)) <
+           whole_number<int>(b.filename().string().substr(9));
+  });
+  if (roots.empty()) roots.push_back(case_folder);
+
+  std::set<std::string> names;
+  for (const fs::path& root : roots) {
+    for (const auto& entry : fs::directory_iterator(root)) {
+      const std::string name = entry.path().filename().string();
+      if (entry.is_directory() && whole_number<double>(name)) names.insert(name);
+    }
+  }
+  std::vector<FieldCheckpoint> found;
+  for (const std::string& name : names) {
+    FieldCheckpoint checkpoint;
+    checkpoint.name = name;
+    checkpoint.time_s = *whole_number<double>(name);
+    checkpoint.rounding_s = rounding_of(name, checkpoint.time_s);
+    if (const auto exact = exact_time(roots.front() / name)) {
+      checkpoint.time_s = *exact;
+      checkpoint.rounding_s = 0.0;
+    }
+    judge(checkpoint, roots);
+    found.push_back(std::move(checkpoint));
+  }
+  std::sort(found.begin(), found.end(),
+            [](const FieldCheckpoint& a, const FieldCheckpoint& b) { return a.time_s < b.time_s; });
+  return found;
+}
+
+/// The step in the head of a LIGGGHTS restart file. The head is a list of items, each an int that
+/// says which one, then its value: 0 version (text), 1 to 3 sizes of integers (int), 4 unit style
+/// (text), 5 the step (64 bits). A text is its length as int and that many bytes.
+std::optional<std::int64_t> step_in_head(const fs::path& file) {
+  constexpr std::int32_t kLongestText = 1000;
+  std::ifstream in(file, std::ios::binary);
+  const auto read = [&in](auto& value) {
+    in.read(reinterpret_cast<char*>(&value), sizeof(value));
+    return static_cast<bool>(in);
+  };
+  std::int32_t item = 0, value = 0;
+  while (read(item)) {
+    if (item == 0 || item == 4) {
+      if (!read(value) || value < 0 || value > kLongestText) return {};
+      in.ignore(value);
+    } else if (item >= 1 && item <= 3) {
+      if (!read(value)) return {};
+    } else if (item == 5) {
+      std::int64_t step = 0;
+      return read(step) ? std::optional(step) : std::nullopt;
+    } else {
+      return {};
+    }
+  }
+  return {};
+}
+
+std::vector<DemCheckpoint> find_dem(const fs::path& case_folder) {
+  std::vector<DemCheckpoint> found;
+  std::error_code problem;
+  for (const auto& entry : fs::directory_iterator(case_folder / "post", problem)) {
+    const std::string name = entry.path().filename().string();
+    if (name.rfind("restart.", 0) != 0 || !entry.is_regular_file()) continue;
+    const auto step = whole_number<long>(name.substr(8));
+    if (!step) continue;  // the link restart.latest, or a file still being written
+    DemCheckpoint checkpoint{*step, entry.path(), ""};
+    const auto inside = step_in_head(entry.path());
+    if (entry.file_size() == 0) {
+      checkpoint.missing = checkpoint.file.string() + " is empty";
+    } else if (!inside) {
+      checkpoint.missing =
+          checkpoint.file.string() + " is not a restart file of LIGGGHTS, or breaks off";
+    } else if (*inside != *step) {
+      checkpoint.missing = fmt::format("{} holds step {}", checkpoint.file.string(), *inside);
+    }
+    found.push_back(std::move(checkpoint));
+  }
+  std::sort(found.begin(), found.end(),
+            [](const DemCheckpoint& a, const DemCheckpoint& b) { return a.step < b.step; });
+  return found;
+}
+
+bool same_time(const FieldCheckpoint& fields, const DemCheckpoint& dem, double dt_s) {
+  const double apart = std::abs(fields.time_s - static_cast<double>(dem.step) * dt_s);
+  return apart < std::max(0.5 * dt_s, fields.rounding_s);
+}
+
+/// The step closest to the fields' time, if it is that time.
+const DemCheckpoint* partner(const FieldCheckpoint& fields, const std::vector<DemCheckpoint>& dem,
+                             double dt_s) {
+  const DemCheckpoint* best = nullptr;
+  const auto apart = [&](const DemCheckpoint& d) {
+    return std::abs(fields.time_s - static_cast<double>(d.step) * dt_s);
+  };
+  for (const DemCheckpoint& d : dem) {
+    if (same_time(fields, d, dt_s) && (best == nullptr || apart(d) < apart(*best))) best = &d;
+  }
+  return best;
+}
+
+}  // namespace
+
+Checkpoints find_checkpoints(const fs::path& case_folder, std::optional<double> time_step_s) {
+  if (!fs::is_directory(case_folder)) {
+    throw InvalidInput("opening the case", case_folder.string(), "the folder of a coupled case",
+                       "correct the path");
+  }
+  Checkpoints found;
+  found.time_step_s = dem_time_step_s(case_folder, time_step_s);
+  found.fields = find_fields(case_folder);
+  found.dem = find_dem(case_folder);
+  for (const FieldCheckpoint& fields : found.fields) {
+    const DemCheckpoint* dem = partner(fields, found.dem, found.time_step_s);
+    if (fields.missing.empty() && dem != nullptr && dem->missing.empty()) {
+      found.last = CheckpointPair{fields, *dem};
+    }
+  }
+  return found;
+}
+
+std::vector<std::string> Checkpoints::refused() const {
+  std::vector<std::pair<double, std::string>> reasons;
+  const double after = last ? last->fields.time_s : -1.0;
+  for (const FieldCheckpoint& f : fields) {
+    if (f.time_s <= after) continue;
+    const DemCheckpoint* d = partner(f, dem, time_step_s);
+    std::string why = f.missing;
+    if (why.empty() && d == nullptr) {
+      why = fmt::format("no post/restart.{:.0f} beside it", f.time_s / time_step_s);
+    } else if (why.empty()) {
+      why = d->missing;
+    }
+    reasons.emplace_back(f.time_s, fmt::format("fields of time {}: {}", f.name, why));
+  }
+  for (const DemCheckpoint& d : dem) {
+    const double time_s = static_cast<double>(d.step) * time_step_s;
+    if (last && d.step <= last->dem.step) continue;
+    const bool paired = std::any_of(fields.begin(), fields.end(), [&](const FieldCheckpoint& f) {
+      return same_time(f, d, time_step_s);
+    });
+    if (!paired) {
+      reasons.emplace_back(time_s, fmt::format("{}: no fields of time {:g} s beside it",
+                                               d.file.filename().string(), time_s));
+    }
+  }
+  std::stable_sort(reasons.begin(), reasons.end(),
+                   [](const auto& a, const auto& b) { return a.first > b.first; });
+  std::vector<std::string> lines;
+  lines.reserve(reasons.size());
+  for (auto& reason : reasons) lines.push_back(std::move(reason.second));
+  return lines;
+}
+
+Checkpoints require_checkpoints(const fs::path& case_folder, std::optional<double> time_step_s) {
+  Checkpoints found = find_checkpoints(case_folder, time_step_s);
+  if (!found.last) {
+    std::string given;
+    const auto lines = found.refused();
+    for (std::size_t i = 0; i < std::min(lines.size(), kMostLines); ++i) {
+      given += (i > 0 ? "; " : "") + lines[i];
+    }
+    throw InvalidInput(
+        "looking for a complete pair of checkpoints in " + case_folder.string(),
+        given.empty() ? "no time folder and no post/restart.<step>" : given,
+        "time folders with U, p, phi and alphaf of every processor and the post/restart.<step> of "
+        "the same time",
+        "start the run from the beginning; let both codes write at the same times (checkpoint)");
+  }
+  return found;
+}
+
+}  // namespace powderlink::analysis

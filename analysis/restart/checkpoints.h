@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file checkpoints.h
+/// Pairs of checkpoints of a coupled case: the solver's fields at a time T and LIGGGHTS's restart
+/// file of the step with step dt = T.
+///   fields   CASE/<T>/ or CASE/processor*/<T>/ with U, p, phi, alphaf, and in every processor the
+///            same files; a file is whole when OpenFOAM's last line closes it
+///   restart  CASE/post/restart.<step>, whole when it has this name (its writer renames it at the
+///            end), not empty, and its head carries this step
+/// T is read from <T>/uniform/time where that is given; the folder's name may be rounded. Times
+/// agree when they differ by less than half a DEM step, or by the rounding of the name.
+/// Tests: tests/analysis/restart_test.cpp
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace powderlink::analysis {
+
+struct FieldCheckpoint {
+  std::string name;  ///< of the time folders
+  double time_s = 0.0;
+  double rounding_s = 0.0;                     ///< of time_s
+  std::vector<std::filesystem::path> folders;  ///< one, or one per processor
+  std::string missing;                         ///< why it is not complete; empty when it is
+};
+
+struct DemCheckpoint {
+  long step = 0;
+  std::filesystem::path file;
+  std::string missing;
+};
+
+struct CheckpointPair {
+  FieldCheckpoint fields;
+  DemCheckpoint dem;
+};
+
+struct Checkpoints {
+  double time_step_s = 0.0;             ///< of the DEM
+  std::vector<FieldCheckpoint> fields;  ///< by time
+  std::vector<DemCheckpoint> dem;       ///< by step
+  std::optional<CheckpointPair> last;   ///< the latest complete pair
+
+  /// What keeps each later checkpoint from being a pair, one line each, latest first.
+  std::vector<std::string> refused() const;
+};
+
+/// Only reads. Throws when the case cannot be read or the time step is unknown.
+Checkpoints find_checkpoints(const std::filesystem::path& case_folder,
+                             std::optional<double> time_step_s);
+
+/// As find_checkpoints, but throws when no pair is complete, with what is missing.
+Checkpoints require_checkpoints(const std::filesystem::path& case_folder,
+                                std::optional<double> time_step_s);
+
+}  // namespace powderlink::analysis

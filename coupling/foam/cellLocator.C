@@ -1,0 +1,296 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "cellLocator.H"
+#include "indexedOctree.H"
+#include "processorCyclicPolyPatch.H"
+#include "treeDataCell.H"
+
+#include <cmath>
+
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+    // Of the diagonal of the mesh
+    static const scalar onFaceFraction = 1e-12;
+
+    // Cells that a walk may cross before the octree is the better way
+    static const label maxWalk = 100;
+
+    // Answers of the walk
+    static const label inNoCell = -1;
+    static const label notKnown = -2;
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::cellLocator::setFaces()
+{
+    normals_ = mesh_.faceAreas();
+    normals_ /= max(mag(normals_), VSMALL);
+    offsets_ = normals_ & mesh_.faceCentres();
+
+    rankBehind_.setSize
+    (
+        mesh_.nFaces() - mesh_.nInternalFaces(),
+        Pstream::myProcNo()
+    );
+    for (const polyPatch& pp : mesh_.boundaryMesh())
+    {
+        // Behind a cyclic patch is another place
+        if
+        (
+            isA<processorPolyPatch>(pp)
+         && !isA<processorCyclicPolyPatch>(pp)
+        )
+        {
+            const label behind =
+                refCast<const processorPolyPatch>(pp).neighbProcNo();
+            forAll(pp, i)
+            {
+                rankBehind_[pp.start() - mesh_.nInternalFaces() + i] = behind;
+            }
+        }
+    }
+}
+
+
+void Foam::cellLocator::setSeeds()
+{
+    const vector span(bounds_.span());
+    const scalar cellSize =
+        mesh_.nCells() ? std::cbrt(cmptProduct(span)/mesh_.nCells()) : 1;
+    for (direction d = 0; d < vector::nComponents; ++d)
+    {
+        nVoxels_[d] = std::max(1.0, std::floor(span[d]/cellSize));
+        voxelSize_[d] = span[d]/nVoxels_[d];
+    }
+
+    seeds_.setSize(cmptProduct(nVoxels_), -1);
+    DynamicList<label> front;
+    forAll(mesh_.cellCentres(), celli)
+    {
+        const label v = voxel(mesh_.cellCentres()[celli]);
+        if (seeds_[v] == -1)
+        {
+            seeds_[v] = celli;
+            front.append(v);
+        }
+    }
+
+    // Voxels without a cell centre take the seed of the nearest one with
+    const labelVector stride(1, nVoxels_[0], nVoxels_[0]*nVoxels_[1]);
+    for (label i = 0; i < front.size(); ++i)
+    {
+        const label v = front[i];
+        for (direction d = 0; d < labelVector::nComponents; ++d)
+        {
+            const label place = (v/stride[d])%nVoxels_[d];
+            if (place > 0 && seeds_[v - stride[d]] == -1)
+            {
+                seeds_[v - stride[d]] = seeds_[v];
+                front.append(v - stride[d]);
+            }
+            if (place + 1 < nVoxels_[d] && seeds_[v + stride[d]] == -1)
+            {
+                seeds_[v + stride[d]] = seeds_[v];
+                front.append(v + stride[d]);
+            }
+        }
+    }
+}
+
+
+Foam::label Foam::cellLocator::voxel(const point& position) const
+{
+    label place[3];
+    for (direction d = 0; d < vector::nComponents; ++d)
+    {
+        place[d] = std::min
+        (
+            nVoxels_[d] - 1,
+            std::max
+            (
+                label(0),
+                label((position[d] - bounds_.min()[d])/voxelSize_[d])
+            )
+        );
+    }
+    return (place[2]*nVoxels_[1] + place[1])*nVoxels_[0] + place[0];
+}
+
+
+Foam::label Foam::cellLocator::walk
+(
+    const point& position,
+    const label start,
+    const scalar tolerance
+) const
+{
+    const cellList& cells = mesh_.cells();
+    const labelList& owner = mesh_.faceOwner();
+    const labelList& neighbour = mesh_.faceNeighbour();
+
+    label celli = start;
+    label previous = -1;
+    for (label step = 0; step < maxWalk; ++step)
+    {
+        scalar worst = tolerance;
+        label worstFace = -1;
+        bool behindPatch = false;
+
+        for (const label facei : cells[celli])
+        {
+            const scalar above =
+                (normals_[facei] & position) - offsets_[facei];
+            const scalar outside = owner[facei] == celli ? above : -above;
+            if (outside > tolerance)
+            {
+                if (!mesh_.isInternalFace(facei))
+                {
+                    behindPatch = true;
+                }
+                else if (outside > worst)
+                {
+                    worst = outside;
+                    worstFace = facei;
+                }
+            }
+        }
+
+        if (worstFace == -1)
+        {
+            return behindPatch ? notKnown : celli;
+        }
+
+        const label next =
+            owner[worstFace] == celli ? neighbour[worstFace] : owner[worstFace];
+        if (next == previous)
+        {
+            return notKnown;
+        }
+        previous = celli;
+        celli = next;
+    }
+    return notKnown;
+}
+
+
+Foam::label Foam::cellLocator::search
+(
+    const point& position,
+    const label hint,
+    const scalar tolerance
+) const
+{
+    // First those that are not numbers: comparing them would be trapped
+    if
+    (
+        !std::isfinite(position.x())
+     || !std::isfinite(position.y())
+     || !std::isfinite(position.z())
+     || !bounds_.contains(position)
+     || mesh_.nCells() == 0
+    )
+    {
+        return inNoCell;
+    }
+
+    const label celli =
+        walk(position, hint >= 0 ? hint : seeds_[voxel(position)], tolerance);
+
+    return celli == notKnown ? mesh_.cellTree().findInside(position) : celli;
+}
+
+
+bool Foam::cellLocator::belongsToLowerRank
+(
+    const point& position,
+    const label celli
+) const
+{
+    for (const label facei : mesh_.cells()[celli])
+    {
+        if
+        (
+            !mesh_.isInternalFace(facei)
+         && rankBehind_[facei - mesh_.nInternalFaces()] < Pstream::myProcNo()
+         && (normals_[facei] & position) - offsets_[facei] > -onFace_
+        )
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::cellLocator::cellLocator(const fvMesh& mesh)
+:
+    mesh_(mesh),
+    onFace_(onFaceFraction*mesh.bounds().mag()),
+    bounds_(mesh.points(), false)
+{
+    bounds_.min() -= 2*onFace_*vector::one;
+    bounds_.max() += 2*onFace_*vector::one;
+
+    // Made now because all ranks are needed for it
+    mesh_.tetBasePtIs();
+    if (mesh_.nCells())
+    {
+        mesh_.cellTree();
+    }
+
+    setFaces();
+    setSeeds();
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::label Foam::cellLocator::find
+(
+    const point& position,
+    const label hint
+) const
+{
+    const label celli = search(position, hint, onFace_);
+
+    return
+        celli != inNoCell && belongsToLowerRank(position, celli)
+      ? inNoCell
+      : celli;
+}
+
+
+Foam::label Foam::cellLocator::claim(const point& position) const
+{
+    return search(position, -1, 2*onFace_);
+}
+
+
+Foam::scalar Foam::cellLocator::depth
+(
+    const point& position,
+    const label celli
+) const
+{
+    scalar least = GREAT;
+    for (const label facei : mesh_.cells()[celli])
+    {
+        const scalar above = (normals_[facei] & position) - offsets_[facei];
+        least = std::min
+        (
+            least,
+            mesh_.faceOwner()[facei] == celli ? -above : above
+        );
+    }
+    return least;
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "cellPointFluidInterpolation.H"
+#include "addToRunTimeSelectionTable.H"
+#include "pointFields.H"
+#include "volPointInterpolation.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+    defineTypeNameAndDebug(cellPointFluidInterpolation, 0);
+    addToRunTimeSelectionTable
+    (
+        fluidInterpolation,
+        cellPointFluidInterpolation,
+        mesh
+    );
+
+    // A weight that is negative by round-off only
+    static const scalar roundOff = 1e-10;
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::cellPointFluidInterpolation::tetrahedron
+Foam::cellPointFluidInterpolation::findTetrahedron
+(
+    const point& position,
+    const label celli
+) const
+{
+    const pointField& points = mesh_.points();
+    const labelList& basePoints = mesh_.tetBasePtIs();
+    const point& centre = mesh_.cellCentres()[celli];
+    const vector r(position - centre);
+
+    tetrahedron best{{0, 0, 0}, {0, 0, 0}};
+    scalar bestLeast = -GREAT;
+
+    for (const label facei : mesh_.cells()[celli])
+    {
+        const face& f = mesh_.faces()[facei];
+        const label base = max(label(0), basePoints[facei]);
+        const vector a(points[f[base]] - centre);
+
+        for (label i = 1; i + 1 < f.size(); ++i)
+        {
+            const label pointB = f[(base + i)%f.size()];
+            const label pointC = f[(base + i + 1)%f.size()];
+            const vector b(points[pointB] - centre);
+            const vector c(points[pointC] - centre);
+
+            const vector bc(b ^ c);
+            const scalar volume = a & bc;
+            if (mag(volume) < VSMALL)
+            {
+                continue;
+            }
+            const vector ra(r ^ a);
+            const scalar weightA = (r & bc)/volume;
+            const scalar weightB = -(ra & c)/volume;
+            const scalar weightC = (ra & b)/volume;
+            const scalar least = min
+            (
+                min(weightA, 1 - weightA - weightB - weightC),
+                min(weightB, weightC)
+            );
+            if (least > bestLeast)
+            {
+                bestLeast = least;
+                best =
+                {
+                    {f[base], pointB, pointC},
+                    {weightA, weightB, weightC}
+                };
+                if (least > -roundOff)
+                {
+                    return best;
+                }
+            }
+        }
+    }
+
+    scalar sum = 0;
+    for (scalar& weight : best.weights)
+    {
+        weight = max(weight, scalar(0));
+        sum += weight;
+    }
+    for (scalar& weight : best.weights)
+    {
+        weight /= max(sum, scalar(1));
+    }
+    return best;
+}
+
+
+template<class Type>
+Foam::tmp<Foam::Field<Type>>
+Foam::cellPointFluidInterpolation::interpolateField
+(
+    const GeometricField<Type, fvPatchField, volMesh>& field
+) const
+{
+    typedef GeometricField<Type, pointPatchField, pointMesh> pointFieldType;
+
+    const tmp<pointFieldType> tatPoints
+    (
+        volPointInterpolation::New(mesh_).interpolate(field)
+    );
+    const Field<Type>& atPoints = tatPoints().primitiveField();
+
+    tmp<Field<Type>> tvalues(new Field<Type>(cells_.size()));
+    Field<Type>& values = tvalues.ref();
+    forAll(values, i)
+    {
+        const tetrahedron& t = tetrahedra_[i];
+        values[i] =
+            (1 - t.weights[0] - t.weights[1] - t.weights[2])*field[cells_[i]]
+          + t.weights[0]*atPoints[t.points[0]]
+          + t.weights[1]*atPoints[t.points[1]]
+          + t.weights[2]*atPoints[t.points[2]];
+    }
+    return tvalues;
+}
+
+
+// * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
+
+void Foam::cellPointFluidInterpolation::setWeights
+(
+    const UList<point>& positions
+)
+{
+    tetrahedra_.setSize(positions.size());
+    forAll(positions, i)
+    {
+        tetrahedra_[i] = findTetrahedron(positions[i], cells_[i]);
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::cellPointFluidInterpolation::cellPointFluidInterpolation
+(
+    const fvMesh& mesh
+)
+:
+    fluidInterpolation(mesh)
+{
+    // Made now because all ranks are needed for it
+    mesh_.tetBasePtIs();
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::tmp<Foam::scalarField> Foam::cellPointFluidInterpolation::interpolate
+(
+    const volScalarField& field
+) const
+{
+    return interpolateField(field);
+}
+
+
+Foam::tmp<Foam::vectorField> Foam::cellPointFluidInterpolation::interpolate
+(
+    const volVectorField& field
+) const
+{
+    return interpolateField(field);
+}
+
+
+// ************************************************************************* //

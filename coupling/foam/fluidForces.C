@@ -1,0 +1,341 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "fluidForces.H"
+#include "dictionaryChecks.H"
+#include "fvcDiv.H"
+#include "fvcGrad.H"
+#include "fvcLaplacian.H"
+
+#include "coupling/forces/force_registry.h"
+
+namespace forces = powderlink::forces;
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+    inline forces::Vec3 toVec3(const Foam::vector& v)
+    {
+        return {v.x(), v.y(), v.z()};
+    }
+
+    inline Foam::vector toVector(const forces::Vec3& v)
+    {
+        return Foam::vector(v[0], v[1], v[2]);
+    }
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::fluidForces::need(const std::string& field)
+{
+    if (field == "pressure_gradient_Pa_m")
+    {
+        needsPressureGradient_ = true;
+    }
+    else if (field == "viscous_stress_divergence_N_m3")
+    {
+        needsViscousStress_ = true;
+    }
+    else if (field == "velocity_curl_1_s")
+    {
+        needsCurl_ = true;
+    }
+    else if (field == "acceleration_m_s2")
+    {
+        needsAcceleration_ = true;
+    }
+    else if (field != "gravity_m_s2")
+    {
+        FatalErrorInFunction
+            << "a force law looks at a field of the fluid that is not made"
+            << nl
+            << "    given:   " << field << nl
+            << "    allowed: pressure_gradient_Pa_m,"
+            << " viscous_stress_divergence_N_m3, velocity_curl_1_s,"
+            << " acceleration_m_s2, gravity_m_s2" << nl
+            << "    to do:   make it in fluidForces::evaluate" << nl
+            << abort(FatalError);
+    }
+}
+
+
+Foam::scalar Foam::fluidForces::readSphericity(const dictionary& dict)
+{
+    const scalar sphericity = dict.getOrDefault<scalar>("sphericity", 1);
+    if (!(sphericity > 0 && sphericity <= 1))
+    {
+        dictionaryChecks::badValue
+        (
+            dict,
+            "sphericity",
+            Foam::name(sphericity),
+            "above 0, at most 1: a sphere"
+        );
+    }
+    return sphericity;
+}
+
+
+void Foam::fluidForces::readLaws(const dictionary& dict)
+{
+    wordList valid;
+    for (const forces::ForceEntry& entry : forces::force_registry())
+    {
+        valid.append(entry.info->name);
+    }
+    OStringStream allowed;
+    allowed << flatOutput(valid);
+
+    forces::ForceSettings settings;
+    settings.model =
+        properties_.modelA
+      ? forces::MomentumModel::A
+      : forces::MomentumModel::B;
+    settings.weight_in_dem = true;
+    settings.virtual_mass_coefficient =
+        dict.getOrDefault<scalar>("virtualMassCoefficient", 0.5);
+
+    word drag;
+    wordHashSet names;
+    for (const word& name : dict.get<wordList>("forces"))
+    {
+        if (!valid.found(name))
+        {
+            dictionaryChecks::badValue(dict, "forces", name, allowed.str());
+        }
+        if (!names.insert(name))
+        {
+            dictionaryChecks::badValue
+            (
+                dict,
+                "forces",
+                name + " more than once",
+                "every force once",
+                "remove one of them"
+            );
+        }
+
+        const forces::ForceEntry& entry = forces::find_force(name);
+        if (entry.info->kind == forces::ForceKind::drag)
+        {
+            if (!drag.empty())
+            {
+                dictionaryChecks::badValue
+                (
+                    dict,
+                    "forces",
+                    drag + " and " + name,
+                    "one drag law or none",
+                    "keep one of them"
+                );
+            }
+            drag = name;
+        }
+
+        try
+        {
+            laws_.push_back
+            (
+                {entry.make(settings), entry.info->reacts_on_fluid}
+            );
+        }
+        catch (const powderlink::InvalidInput& error)
+        {
+            FatalIOErrorInFunction(dict)
+                << error.what() << nl << exit(FatalIOError);
+        }
+        for (const std::string& field : entry.info->fields)
+        {
+            need(field);
+        }
+        hasTorque_ |= entry.info->kind == forces::ForceKind::rotation;
+        hasAddedMass_ |= entry.info->kind == forces::ForceKind::inertia;
+    }
+
+    // In B these forces are zero whatever the fields are
+    needsPressureGradient_ = needsPressureGradient_ && properties_.modelA;
+    needsViscousStress_ = needsViscousStress_ && properties_.modelA;
+
+    // The DEM is given the spin of the fluid
+    needsCurl_ = needsCurl_ || hasTorque_;
+
+    Info<< "Forces on particles: "
+        << flatOutput(dict.get<wordList>("forces"))
+        << (drag.empty() ? ", no drag" : "") << endl;
+}
+
+
+void Foam::fluidForces::resize(const label n, forceRows& rows) const
+{
+    rows.dragCoefficient.setSize(n);
+    rows.reactingForce.setSize(n);
+    rows.pressureForce.setSize(n);
+
+    const label nTorque = hasTorque_ ? n : 0;
+    rows.fluidSpin.setSize(nTorque);
+    rows.rotationalDrag.setSize(nTorque);
+    rows.fluidTorque.setSize(nTorque);
+    rows.addedMass.setSize(hasAddedMass_ ? n : 0);
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::fluidForces::fluidForces
+(
+    const dictionary& dict,
+    const fluidProperties& properties
+)
+:
+    properties_(properties),
+    sphericity_(readSphericity(dict)),
+    needsPressureGradient_(false),
+    needsViscousStress_(false),
+    needsCurl_(false),
+    needsAcceleration_(false),
+    hasTorque_(false),
+    hasAddedMass_(false)
+{
+    readLaws(dict);
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::fluidForces::evaluate
+(
+    const fluidFields& fluid,
+    const fluidInterpolation& interpolation,
+    const particleRows& particles,
+    const scalar minFluidFraction,
+    forceRows& rows
+) const
+{
+    const volVectorField& U = fluid.U;
+
+    rows.fluidVelocity = interpolation.interpolate(U);
+    rows.fluidFraction = max
+    (
+        minFluidFraction,
+        min(scalar(1), interpolation.interpolate(fluid.alphaf))
+    );
+
+    vectorField gradP, divTau, curl, acceleration;
+    if (needsPressureGradient_)
+    {
+        gradP = properties_.rho*interpolation.interpolate(fvc::grad(fluid.p)());
+    }
+
+    tmp<volTensorField> tgradU;
+    if (needsViscousStress_ || needsCurl_ || needsAcceleration_)
+    {
+        tgradU = fvc::grad(U);
+    }
+    if (needsViscousStress_)
+    {
+        // Schemes by the names of the momentum equation
+        const volVectorField stress
+        (
+            fvc::laplacian(*fluid.nuEff, U, "laplacian(nuEff,U)")
+          + fvc::div
+            (
+                (*fluid.nuEff)*dev2(T(tgradU())),
+                "div((nuEff*dev2(T(grad(U)))))"
+            )
+        );
+        divTau = properties_.rho*interpolation.interpolate(stress);
+    }
+    if (needsCurl_)
+    {
+        curl = interpolation.interpolate
+        (
+            volVectorField("curlU", 2*(*skew(tgradU())))
+        );
+    }
+    if (needsAcceleration_)
+    {
+        acceleration = interpolation.interpolate
+        (
+            volVectorField("DUDt", *fluid.ddtU + (U & tgradU()))
+        );
+    }
+
+    const label n = rows.fluidVelocity.size();
+    resize(n, rows);
+
+    forces::FluidState f;
+    f.density_kg_m3 = properties_.rho;
+    f.kinematic_viscosity_m2_s = properties_.nu;
+    f.gravity_m_s2 = toVec3(properties_.g);
+    forces::ParticleState p;
+    p.sphericity = sphericity_;
+
+    for (label i = 0; i < n; ++i)
+    {
+        f.velocity_m_s = toVec3(rows.fluidVelocity[i]);
+        f.fluid_fraction = rows.fluidFraction[i];
+        if (needsPressureGradient_)
+        {
+            f.pressure_gradient_Pa_m = toVec3(gradP[i]);
+        }
+        if (needsViscousStress_)
+        {
+            f.viscous_stress_divergence_N_m3 = toVec3(divTau[i]);
+        }
+        if (needsCurl_)
+        {
+            f.velocity_curl_1_s = toVec3(curl[i]);
+        }
+        if (needsAcceleration_)
+        {
+            f.acceleration_m_s2 = toVec3(acceleration[i]);
+        }
+        p.velocity_m_s = toVec3(particles.velocity[i]);
+        p.spin_rad_s = toVec3(particles.spin[i]);
+        p.diameter_m = 2*particles.radius[i];
+        p.density_kg_m3 = particles.density[i];
+
+        forces::ForceTerms all;
+        forces::Vec3 reacting{};
+        forces::Vec3 pressure{};
+        try
+        {
+            for (const law& l : laws_)
+            {
+                const forces::ForceTerms terms = l.force->evaluate(f, p);
+                all += terms;
+                forces::Vec3& part = l.reactsOnFluid ? reacting : pressure;
+                part = forces::sum(part, terms.force_N);
+            }
+        }
+        catch (const powderlink::InvalidInput& error)
+        {
+            FatalErrorInFunction
+                << error.what() << nl
+                << "    of the particle in row " << i << " of rank "
+                << Pstream::myProcNo() << ": diameter " << p.diameter_m
+                << " m, velocity " << particles.velocity[i]
+                << " m/s, fluid velocity " << rows.fluidVelocity[i] << " m/s"
+                << nl << exit(FatalError);
+        }
+
+        rows.dragCoefficient[i] = all.drag_kg_s;
+        rows.reactingForce[i] = toVector(reacting);
+        rows.pressureForce[i] = toVector(pressure);
+        if (hasTorque_)
+        {
+            rows.fluidSpin[i] = 0.5*curl[i];
+            rows.rotationalDrag[i] = all.rotational_drag_Nms;
+            rows.fluidTorque[i] = toVector(all.torque_Nm);
+        }
+        if (hasAddedMass_)
+        {
+            rows.addedMass[i] = all.added_mass_kg;
+        }
+    }
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "particleOwnership.H"
+#include "int64.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::particleOwnership::offer
+(
+    const UList<point>& positions,
+    const labelList& leftover
+)
+{
+    const label me = Pstream::myProcNo();
+
+    List<pointField> offers(Pstream::nProcs());
+    offers[me] = pointField(positions, leftover);
+    Pstream::gatherList(offers);
+    Pstream::scatterList(offers);
+
+    label nOffers = 0;
+    for (const pointField& points : offers)
+    {
+        nOffers += points.size();
+    }
+
+    // The lowest rank of those that claim a point has it
+    labelList owner(nOffers, labelMax);
+    labelList cells(nOffers);
+    label row = 0;
+    for (const pointField& points : offers)
+    {
+        for (const point& position : points)
+        {
+            cells[row] = locator_.claim(position);
+            if (cells[row] >= 0)
+            {
+                owner[row] = me;
+            }
+            ++row;
+        }
+    }
+    Pstream::listCombineGather(owner, minEqOp<label>());
+    Pstream::listCombineScatter(owner);
+
+    DynamicList<label> stay(stay_);
+    DynamicList<label> outside;
+    DynamicList<label> ownCells(cells_);
+    DynamicList<label> guestCells;
+    List<DynamicList<label>> send(Pstream::nProcs());
+
+    row = 0;
+    forAll(offers, from)
+    {
+        forAll(offers[from], i)
+        {
+            const label to = owner[row];
+            if (to == labelMax)
+            {
+                ++nOutsideGlobal_;
+                if (from == me)
+                {
+                    outside.append(leftover[i]);
+                }
+            }
+            else if (to != from)
+            {
+                ++nMovedGlobal_;
+                if (from == me)
+                {
+                    send[to].append(leftover[i]);
+                }
+                if (to == me)
+                {
+                    ++nGuests_[from];
+                    guestCells.append(cells[row]);
+                }
+            }
+            else if (from == me)
+            {
+                stay.append(leftover[i]);
+                ownCells.append(cells[row]);
+            }
+            ++row;
+        }
+    }
+
+    ownCells.append(guestCells);
+    stay_.transfer(stay);
+    cells_.transfer(ownCells);
+    outside_.transfer(outside);
+    forAll(send, proci)
+    {
+        send_[proci].transfer(send[proci]);
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::particleOwnership::particleOwnership(const cellLocator& locator)
+:
+    locator_(locator),
+    nReceived_(0),
+    nMovedGlobal_(0),
+    nOutsideGlobal_(0)
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::particleOwnership::update(const UList<point>& positions)
+{
+    nReceived_ = positions.size();
+    nMovedGlobal_ = 0;
+    nOutsideGlobal_ = 0;
+    outside_.clear();
+    send_ = labelListList(Pstream::nProcs());
+    nGuests_ = labelList(Pstream::nProcs(), Zero);
+
+    DynamicList<label> stay(nReceived_);
+    DynamicList<label> cells(nReceived_);
+    DynamicList<label> leftover;
+    forAll(positions, i)
+    {
+        const label celli = locator_.find(positions[i]);
+        if (celli >= 0)
+        {
+            stay.append(i);
+            cells.append(celli);
+        }
+        else
+        {
+            leftover.append(i);
+        }
+    }
+    stay_.transfer(stay);
+    cells_.transfer(cells);
+
+    if (returnReduce(leftover.size(), sumOp<label>()) > 0)
+    {
+        offer(positions, leftover);
+    }
+}
+
+
+Foam::List<int64_t> Foam::particleOwnership::outsideIds
+(
+    const UList<int64_t>& receivedIds,
+    const label maxIds
+) const
+{
+    List<List<int64_t>> ids(Pstream::nProcs());
+    List<int64_t>& mine = ids[Pstream::myProcNo()];
+    mine = List<int64_t>(receivedIds, outside_);
+    sort(mine);
+    mine.setSize(min(mine.size(), maxIds));
+
+    Pstream::gatherList(ids);
+
+    DynamicList<int64_t> all;
+    for (const List<int64_t>& some : ids)
+    {
+        all.append(some);
+    }
+    sort(all);
+    return List<int64_t>(std::move(all));
+}
+
+
+// ************************************************************************* //

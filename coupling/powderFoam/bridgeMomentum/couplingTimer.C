@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "couplingTimer.H"
+#include "IOstreams.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::couplingTimer::print
+(
+    const char* when,
+    const std::array<scalar, 6>& seconds
+)
+{
+    Info<< "Wall time [s] " << when << ": search " << seconds[search]
+        << ", fluid fraction and sources " << seconds[sharing]
+        << ", forces " << seconds[forces]
+        << ", exchange " << seconds[exchange]
+        << ", fluid " << seconds[fluid]
+        << ", waiting for the particles " << seconds[wait] << endl;
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::couplingTimer::reportInterval()
+{
+    std::array<scalar, 6> spent(seconds_);
+    for (std::size_t i = 0; i < spent.size(); ++i)
+    {
+        spent[i] -= reported_[i];
+    }
+    reported_ = seconds_;
+
+    print("since the last exchange", spent);
+}
+
+
+void Foam::couplingTimer::report() const
+{
+    const scalar coupling =
+        seconds_[search] + seconds_[sharing] + seconds_[forces]
+      + seconds_[exchange];
+    const scalar all = coupling + seconds_[fluid] + seconds_[wait];
+
+    print("of the run", seconds_);
+    Info<< "coupling share: " << 100*coupling/max(all, VSMALL) << " %" << nl
+        << endl;
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "exchangeClock.H"
+#include "dictionaryChecks.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+    // Sums of time steps are off by round-off; a step is far longer than that
+    constexpr double roundOff = 1e-6;
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::scalar Foam::exchangeClock::interval
+(
+    const Time& time,
+    const couplingProperties& coupling
+)
+{
+    const bool adjusted =
+        time.controlDict().lookupOrDefault("adjustTimeStep", false);
+
+    if (adjusted && coupling.couplingTime() <= 0)
+    {
+        dictionaryChecks::badValue
+        (
+            time.controlDict(),
+            "adjustTimeStep",
+            "yes, without couplingTime",
+            "steps of constant length, or couplingTime [s] in"
+            " constant/couplingProperties",
+            "set couplingTime instead of couplingInterval there"
+        );
+    }
+
+    return
+        coupling.couplingTime() > 0
+      ? coupling.couplingTime()
+      : coupling.couplingInterval()*time.deltaTValue();
+}
+
+
+void Foam::exchangeClock::checkWriteTimes() const
+{
+    const dictionary& dict = time_.controlDict();
+    const word control(dict.lookupOrDefault<word>("writeControl", "timeStep"));
+    const scalar writeInterval =
+        dict.lookupOrDefault<scalar>("writeInterval", GREAT);
+
+    scalar period = 0;
+    if (control == "timeStep")
+    {
+        period = writeInterval*time_.deltaTValue();
+    }
+    else if
+    (
+        control == "runTime"
+     || control == "adjustable"
+     || control == "adjustableRunTime"
+    )
+    {
+        period = writeInterval;
+    }
+
+    const scalar nIntervals = period/interval_;
+    if
+    (
+        writeInterval < 1e15
+     && mag(nIntervals - round(nIntervals)) > roundOff*max(nIntervals, 1.0)
+    )
+    {
+        dictionaryChecks::badValue
+        (
+            dict,
+            "writeInterval",
+            "fields every " + Foam::name(period) + " s, exchanges every "
+          + Foam::name(interval_) + " s",
+            "a whole number of exchanges from write to write",
+            "change writeInterval, or couplingInterval in"
+            " constant/couplingProperties"
+        );
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::exchangeClock::exchangeClock
+(
+    const Time& time,
+    const couplingProperties& coupling
+)
+:
+    time_(time),
+    interval_(interval(time, coupling)),
+    nExchanges_(0),
+    start_(time.value())
+{
+    checkWriteTimes();
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::scalar Foam::exchangeClock::remaining() const
+{
+    const scalar time = start_ + nExchanges_*interval_ - time_.value();
+    return time > roundOff*interval_ ? time : 0;
+}
+
+
+Foam::scalar Foam::exchangeClock::share() const
+{
+    return min(1 - remaining()/interval_, scalar(1));
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,174 @@
+#!/usr/bin/env bash
+# Metal powder in a pipe: steady flow of the gas alone, then gas and powder.
+# run.sh [--short] [--filled] [--case A|B] [--contact hertz|jkr] [--end-time T] [--continue]
+#        [--write-interval T] [--ranks N] [--dem-ranks N] [--transport mpi|socket] [--out DIR]
+set -euo pipefail
+cd "$(dirname "$0")"
+. ../../scripts/foam_case.sh
+
+flow=A contact=hertz end_time='' write_interval='' filled=no go_on=no others=()
+while [[ $# -gt 0 ]]; do
+  case $1 in
+    --filled) filled=yes; shift ;;
+    --continue) go_on=yes; shift ;;
+    --case | --contact | --end-time | --write-interval)
+      [[ $# -ge 2 ]] || foam_case_fail "option without a value" "$1" "$1 VALUE" "add the value"
+      case $1 in
+        --case) flow=$2 ;;
+        --contact) contact=$2 ;;
+        --end-time) end_time=$2 ;;
+        --write-interval) write_interval=$2 ;;
+      esac
+      shift 2 ;;
+    *) others+=("$1"); shift ;;
+  esac
+done
+case $flow in
+  A) gas_m_s=10 rate_per_s=300000 insert_every=250 inlet_m_s=2 ;;
+  B) gas_m_s=5 rate_per_s=150000 insert_every=500 inlet_m_s=1 ;;
+  *) foam_case_fail "unknown case" "$flow" "A, B" "correct --case" ;;
+esac
+[[ $contact == hertz || $contact == jkr ]] ||
+  foam_case_fail "unknown contact model" "$contact" "hertz, jkr" "correct --contact"
+for time in "$end_time" "$write_interval"; do
+  [[ -z $time || $time =~ ^[0-9.]+(e-?[0-9]+)?$ ]] ||
+    foam_case_fail "bad time" "$time" "seconds" "correct --end-time or --write-interval"
+done
+foam_case_options "${others[@]+"${others[@]}"}"
+foam_case_need liggghts-powderlink
+
+native=$PWD
+setting() { awk -v name="$1" '$1 == name { sub(";", "", $2); print $2 }' system/caseSettings; }
+set_entry() { sed -i -E "s|^($1 +)[^ ;]+;|\1$2;|" "$3"; }  # name, value, file
+calculate() { awk "BEGIN { printf \"%.10g\", $1 }"; }
+
+set_times() {
+  [[ -z $end_time ]] || set_entry endTime "$end_time" system/caseSettings
+  [[ -z $write_interval ]] || set_entry writeInterval "$write_interval" system/caseSettings
+}
+
+copy_case() {
+  # The mesh and what belongs to it are those of the pipe without powder.
+  cd "$native"
+  foam_case_copy
+  cp "$native"/../hagen_poiseuille/system/{blockMeshDict,fvSchemes,decomposeParDict} system
+  cp "$native"/../hagen_poiseuille/constant/turbulenceProperties constant
+  set_entry inletVelocity "$gas_m_s" system/caseSettings
+}
+
+# Steady flow of the gas alone, by OpenFOAM's own solver.
+start_gas() {
+  case_copy=gas copy_case
+  cp "$native"/steady/* system
+  foam_case_run blockMesh
+  # Cells numbered along the pipe: the pressure solver is a third faster.
+  foam_case_run renumberMesh -overwrite
+  foam_case_run simpleFoam
+  grep -q 'SIMPLE solution converged' log.simpleFoam || foam_case_fail "the gas alone is not steady" \
+    "the settings in steady/" "convergence within 500 iterations" "see $PWD/log.simpleFoam"
+  empty_pressure=$(awk 'END { print $2 }' postProcessing/inletPressure/0/surfaceFieldValue.dat)
+  # Developed behind 0.2 m.
+  empty_slope_Pa_m=$(awk -v density="$density" '
+    /^# Probe/ { gsub(/[()]/, ""); z[n++] = $NF }
+    !/^#/ { for (i = 0; i < n; i++) p[i] = density*$(i + 2) }
+    END {
+      for (i = 0; i < n; i++) if (z[i] > 0.199) { m++; mz += z[i]; mp += p[i] }
+      for (i = 0; i < n; i++) if (z[i] > 0.199) { zz += (z[i] - mz/m)^2; zp += (z[i] - mz/m)*(p[i] - mp/m) }
+      print (m > 1 ? -zp/zz : "none")
+    }' postProcessing/axis/0/p)
+}
+
+# The steady gas is time 0 of gas and powder.
+start_coupled() {
+  case_copy=case copy_case
+  set_times
+  "$native"/make_stl.sh stl
+  cp -r ../gas/constant/polyMesh constant
+  foam_case_run mapFields ../gas -consistent -sourceTime latestTime
+}
+
+# Mean of a column (x y z without brackets) over the times after a given one; a continued run has a
+# folder for each of its parts.
+mean_after() {  # function object, file, column, time
+  local parts
+  parts=$(find "postProcessing/$1" -name "$2" | sort -t/ -k3,3g)
+  # shellcheck disable=SC2086  # names of our own, without blanks
+  awk -v column="$3" -v from="$4" '
+    /^#/ { next }
+    $1 > from && $1 > last { gsub(/[()]/, " "); sum += $column; n++; last = $1 }
+    END { if (n) printf "%.9g", sum/n }' $parts
+}
+
+density=1.6355      # kg/m3, as in constant/transportProperties
+grain_kg=9.421e-10  # in.powder
+
+if [[ $go_on == yes ]]; then
+  foam_case_need powderlink
+  [[ -d $out/case/post ]] || foam_case_fail "there is no run to continue" "$out/case" \
+    "a folder in which run.sh has run" "leave --continue out, or correct --out"
+  cd "$out/case"
+  foam_case_run "$foam_case_bin/powderlink" restart . --dt 4e-7 --prepare --json restart.json
+  from_s=$(sed -n -E 's/.*"time_s": *([^,]*),.*/\1/p' restart.json)
+  # What the first run has written after that time is written again.
+  awk -F, -v from="$from_s" 'NR == 1 || $1 <= from + 2e-7' post/particle_count.csv >post/count.part
+  mv post/count.part post/particle_count.csv
+  set_times
+  ranks=1
+  if [[ -d processor0 ]]; then ranks=$(find . -maxdepth 1 -name 'processor[0-9]*' | wc -l); fi
+  foam_case_decompose() { :; }
+  read -r fill_count empty_pressure empty_slope_Pa_m <start.txt
+else
+  start_gas
+  start_coupled
+  fill_count=0
+  if [[ $short == yes || $filled == yes ]]; then
+    # 16 600 grains in 300 mm: what case A holds after 0.1 s.
+    fill_count=$(calculate "int(16600*$(setting pipeLength)/0.3 + 0.5)")
+  fi
+  echo "$fill_count $empty_pressure $empty_slope_Pa_m" >start.txt
+fi
+
+end_s=$(setting endTime)
+steps=$(calculate "int($end_s/4e-7 + 0.5)")
+foam_case_couple in.pipe -var length "$(setting pipeLength)" -var rate "$rate_per_s" \
+  -var inletSpeed "$inlet_m_s" -var insertEvery "$insert_every" -var contact "$contact" \
+  -var fillCount "$fill_count" -var restart "$([[ $go_on == yes ]] && echo 1 || echo 0)" \
+  -var steps "$steps"
+
+counts=post/particle_count.csv
+# A continued run writes the title again.
+awk 'NR == 1 || !/^time_s/' $counts >post/count.part
+mv post/count.part $counts
+# Conservation: the largest imbalance of all lines.
+missing=$(awk -F, 'NR > 1 { m = $5 < 0 ? -$5 : $5; if (m > most) most = m } END { print (NR > 1 ? most + 0 : "none") }' $counts)
+foam_case_result particles_missing 1 "$missing" 0 0 "inserted = inside + escaped, at every 100 us"
+lines=$(awk 'END { print NR - 1 }' $counts)
+foam_case_result counts_written 1 "$lines" "$(calculate "int($end_s/1e-4 + 0.5)")" 0 "a line at every 100 us"
+injected=$(awk -F, -v fill="$fill_count" 'END { print $2 - fill }' $counts)
+foam_case_result injection_rate 1/s "$(calculate "$injected/$end_s")" "$rate_per_s" 0.005 "given"
+# A grain's mass varies by 0.77 of its mean; three standard deviations of the mean of all.
+foam_case_result injected_mass_rate kg/s \
+  "$(awk -F, -v t="$end_s" 'END { printf "%.6g", $6/t }' $counts)" \
+  "$(calculate "$rate_per_s*$grain_kg")" "$(calculate "3*0.77/sqrt($injected) + 0.001")" \
+  "rate times mean mass of in.powder, statistical error"
+
+# Momentum of the gas along the pipe, mean of the last half: pressure = wall + powder + outflow - inflow.
+# (An incompressible gas that flows at a given rate keeps its momentum.)
+from_s=$(calculate "$end_s/2 + 1e-8")
+pressure=$(mean_after inletPressure surfaceFieldValue.dat 2 "$from_s")
+inflow=$(mean_after inletMomentum surfaceFieldValue.dat 4 "$from_s")
+outflow=$(mean_after outletMomentum surfaceFieldValue.dat 4 "$from_s")
+wall_N=$(mean_after wallForce force.dat 4 "$from_s")
+powder_N=$(awk -F, -v from="$from_s" 'NR > 1 && $1 > from { sum += $9; n++ } END { printf "%.9g", sum/n }' $counts)
+area=$(calculate "-($inflow)/$gas_m_s^2")
+foam_case_result force_of_pressure N "$(calculate "$density*$pressure*$area")" \
+  "$(calculate "$wall_N + $powder_N + $density*($outflow + $inflow)")" 0.02 \
+  "momentum of the gas: wall, powder, outflow - inflow"
+excess=$(calculate "($pressure - $empty_pressure)*$density")
+echo "pressure drop above that of the empty pipe: $excess Pa; force of the gas on the powder over the" \
+  "section: $(calculate "$powder_N/$area") Pa"
+if [[ $empty_slope_Pa_m != none ]]; then
+  foam_case_result empty_pressure_slope Pa/m "$empty_slope_Pa_m" "$(calculate "463.3*$gas_m_s")" \
+    0.005 "Hagen-Poiseuille: 32 mu U/D^2"
+fi
+foam_case_write pipe

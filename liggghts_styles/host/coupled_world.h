@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file coupled_world.h
+/// How the launcher tells the fix that couples which other program shares the mpirun.
+#pragma once
+
+#include "coupling/bridge/mpi_world.h"
+
+namespace powderlink::host {
+
+/// Of this process; without set_coupled_world() (LD_PRELOAD) it holds no other program.
+const bridge::MpiWorld& coupled_world();
+void set_coupled_world(const bridge::MpiWorld& world);
+
+}  // namespace powderlink::host

@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// What fix couple/bridge does in each step.
+#include "host/fix_couple_bridge.h"
+
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <limits>
+
+#include <mpi.h>
+
+#include "atom.h"
+#include "modify.h"
+#include "update.h"
+
+#include "host/fluid_relaxation.h"
+#include "host/stop_all.h"
+#include "models/invalid_input.h"
+
+namespace powderlink::host {
+
+using namespace LAMMPS_NS;
+
+namespace {
+
+/// Moment of inertia of a sphere over m r^2.
+constexpr double kInertia = 0.4;
+
+}  // namespace
+
+FixCoupleBridge::FixCoupleBridge(LAMMPS* lmp, int narg, char** arg)
+    : Fix(lmp, narg, arg), properties_(lmp) {
+  try {
+    const std::filesystem::path folder = std::filesystem::current_path();
+    options_ = CoupleBridgeOptions::parse(narg, arg, folder.filename().string());
+  } catch (const InvalidInput& problem) {
+    stop(problem.what());
+  }
+  vector_flag = 1;
+  size_vector = 8;
+  global_freq = 1;
+  extvector = 0;
+  time_depend = 1;
+}
+
+FixCoupleBridge::~FixCoupleBridge() {
+  if (!link_) return;
+  try {
+    link_->finish();
+  } catch (const bridge::BridgeError& problem) {
+    stop(problem.what());
+  }
+}
+
+void FixCoupleBridge::post_create() { properties_.create(style); }
+
+void FixCoupleBridge::pre_delete(bool unfixflag) {
+  if (unfixflag) properties_.remove();
+}
+
+int FixCoupleBridge::setmask() {
+  return FixConst::PRE_INITIAL_INTEGRATE | FixConst::PRE_FINAL_INTEGRATE;
+}
+
+void FixCoupleBridge::stop(const std::string& message) const {
+  if (link_) link_->fail(message);
+  stop_all(lmp, FLERR, this, message);
+}
+
+void FixCoupleBridge::init() {
+  check_host();
+  find_held_atoms();
+  if (!link_) {
+    open_link();
+  } else if (std::fabs(update->dt - dt_s_) > 1e-12 * dt_s_) {
+    stop("time step; given: " + number_text(update->dt) + " s after " + number_text(dt_s_) +
+         " s; allowed: the one that the solver was told at the start; to do: keep timestep, or "
+         "start both programs anew with another couplingInterval");
+  }
+}
+
+void FixCoupleBridge::setup(int /*vflag*/) { forces_of_setup_ = true; }
+
+void FixCoupleBridge::pre_initial_integrate() {
+  // LIGGGHTS counts the step before it does it: positions and velocities are those of this one.
+  const bigint step = update->ntimestep - 1;
+  if (update->dt != dt_s_) init();
+  if (!over_ && (next_exchange_ < 0 || step >= next_exchange_)) exchange(step);
+  if (forces_of_setup_) scale_forces();
+  forces_of_setup_ = false;
+  relax();
+}
+
+void FixCoupleBridge::pre_final_integrate() { scale_forces(); }
+
+/// The integrator divides by m; what accelerates is m + m_a.
+void FixCoupleBridge::scale_forces() {
+  if (!has_added_mass_) return;
+  const double* added_mass = properties_.added_mass();
+  for (int i = 0; i < atom->nlocal; ++i) {
+    if (!(atom->mask[i] & groupbit) || added_mass[i] == 0.0) continue;
+    const double share = atom->rmass[i] / (atom->rmass[i] + added_mass[i]);
+    for (int c = 0; c < 3; ++c) atom->f[i][c] *= share;
+  }
+}
+
+void FixCoupleBridge::relax() {
+  newcomers_.clear();
+  double* const* step = properties_.step();
+  for (int i = 0; i < atom->nlocal; ++i) {
+    if (!(atom->mask[i] & groupbit)) continue;
+    const double state = step[i][FluidProperties::kState];
+    if (state == FluidProperties::kNew) {
+      newcomers_.push_back(i);
+    } else if (state != FluidProperties::kNothing) {
+      move(i);
+    }
+  }
+  if (newcomers_.empty()) return;
+  borrow_values(newcomers_);
+  for (const int i : newcomers_) {
+    if (step[i][FluidProperties::kState] != FluidProperties::kNothing) move(i);
+  }
+}
+
+inline void FixCoupleBridge::move(int i) {
+  if (atom->mask[i] & held_) {
+    hold(i);
+    return;
+  }
+  const double* step = properties_.step()[i];
+  const double* pressure = properties_.pressure_force()[i];
+  double* reaction = properties_.reaction_impulse()[i];
+  const double mass = atom->rmass[i] + (has_added_mass_ ? properties_.added_mass()[i] : 0.0);
+  double* v = atom->v[i];
+  for (int c = 0; c < 3; ++c) {
+    const double after = step[FluidProperties::kA] * v[c] + step[FluidProperties::kD + c];
+    const double impulse = mass * (after - v[c]) - dt_s_ * pressure[c];
+    v[c] = after;
+    reaction[c] += impulse;
+    impulse_[c] += impulse;
+  }
+  if (!spins_) return;
+  double* spin = atom->omega[i];
+  for (int c = 0; c < 3; ++c) {
+    spin[c] = step[FluidProperties::kSpinA] * spin[c] + step[FluidProperties::kSpinD + c];
+  }
+}
+
+/// A frozen atom keeps its velocity; what holds it takes the force, the fluid feels it all the same.
+void FixCoupleBridge::hold(int i) {
+  const double drag = properties_.drag_coefficient()[i];
+  for (int c = 0; c < 3; ++c) {
+    const double impulse =
+        dt_s_ * (drag * (properties_.fluid_velocity()[i][c] - atom->v[i][c]) +
+                 properties_.reacting_force()[i][c]);
+    properties_.reaction_impulse()[i][c] += impulse;
+    impulse_[c] += impulse;
+  }
+}
+
+/// Groups of all fixes of style freeze.
+void FixCoupleBridge::find_held_atoms() {
+  held_ = 0;
+  for (int i = 0; i < modify->nfix; ++i) {
+    if (std::strncmp(modify->fix[i]->style, "freeze", 6) == 0) held_ |= modify->fix[i]->groupbit;
+  }
+}
+
+void FixCoupleBridge::set_step(int i) {
+  const double mass = atom->rmass[i] + (has_added_mass_ ? properties_.added_mass()[i] : 0.0);
+  const double* reacting = properties_.reacting_force()[i];
+  const double* pressure = properties_.pressure_force()[i];
+  const double* fluid = properties_.fluid_velocity()[i];
+  const double drag = properties_.drag_coefficient()[i];
+  double* step = properties_.step()[i];
+  const double force[3] = {reacting[0] + pressure[0], reacting[1] + pressure[1],
+                           reacting[2] + pressure[2]};
+  const FluidRelaxation relaxation = fluid_relaxation(drag, fluid, force, mass, dt_s_);
+  step[FluidProperties::kA] = relaxation.a;
+  for (int c = 0; c < 3; ++c) {
+    step[FluidProperties::kD + c] = relaxation.d[c];
+    properties_.fluid_force()[i][c] = force[c] + drag * (fluid[c] - atom->v[i][c]);
+  }
+  if (!spins_) return;
+  const double inertia = kInertia * atom->rmass[i] * atom->radius[i] * atom->radius[i];
+  const FluidRelaxation turn =
+      fluid_relaxation(properties_.rotational_drag()[i], properties_.fluid_spin()[i],
+                       properties_.fluid_torque()[i], inertia, dt_s_);
+  step[FluidProperties::kSpinA] = turn.a;
+  for (int c = 0; c < 3; ++c) step[FluidProperties::kSpinD + c] = turn.d[c];
+}
+
+/// O(newcomers * particles of the rank), once per newcomer.
+void FixCoupleBridge::borrow_values(const std::vector<int>& newcomers) {
+  double* const* step = properties_.step();
+  for (const int i : newcomers) {
+    const double* x = atom->x[i];
+    int nearest = -1;
+    double least = std::numeric_limits<double>::max();
+    for (int j = 0; j < atom->nlocal; ++j) {
+      if (!(atom->mask[j] & groupbit) || step[j][FluidProperties::kState] != FluidProperties::kOwn) {
+        continue;
+      }
+      double distance2 = 0.0;
+      for (int c = 0; c < 3; ++c) distance2 += (x[c] - atom->x[j][c]) * (x[c] - atom->x[j][c]);
+      if (distance2 < least) {
+        least = distance2;
+        nearest = j;
+      }
+    }
+    if (nearest < 0) {
+      step[i][FluidProperties::kState] = FluidProperties::kNothing;
+      continue;
+    }
+    const double ratio = atom->radius[i] / atom->radius[nearest];
+    const double volumes = ratio * ratio * ratio;
+    for (int c = 0; c < 3; ++c) {
+      properties_.fluid_velocity()[i][c] = properties_.fluid_velocity()[nearest][c];
+      properties_.fluid_spin()[i][c] = properties_.fluid_spin()[nearest][c];
+      properties_.pressure_force()[i][c] = volumes * properties_.pressure_force()[nearest][c];
+    }
+    properties_.fluid_fraction()[i] = properties_.fluid_fraction()[nearest];
+    properties_.drag_coefficient()[i] = ratio * properties_.drag_coefficient()[nearest];
+    properties_.rotational_drag()[i] = volumes * properties_.rotational_drag()[nearest];
+    properties_.added_mass()[i] = volumes * properties_.added_mass()[nearest];
+    step[i][FluidProperties::kState] = FluidProperties::kBorrowed;
+    set_step(i);
+  }
+}
+
+double FixCoupleBridge::compute_vector(int n) {
+  if (n == 4) return exchange_s_;
+  if (n > 4) return lost_impulse_[n - 5];
+  double sum = 0.0;
+  for (int i = 0; i < atom->nlocal; ++i) {
+    if (!(atom->mask[i] & groupbit)) continue;
+    sum += n == 3 ? 1.0 : properties_.fluid_force()[i][n];
+  }
+  MPI_Allreduce(MPI_IN_PLACE, &sum, 1, MPI_DOUBLE, MPI_SUM, world);
+  return sum;
+}
+
+}  // namespace powderlink::host

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file fix_couple_bridge.h
+/// `fix couple/bridge`: the particles of its group in the gas of a flow solver. Syntax:
+/// host/couple_bridge_options.h; for users: docs/couple_bridge.md.
+///
+/// At the start of the first step of a run, and then every N steps, it sends the particles' state
+/// (full-step values of that time) and gets what the fluid does there. Before every step of the
+/// integrator it moves each velocity (and spin) by host/fluid_relaxation.h with what it got last.
+/// It acts in pre_initial_integrate(), which LIGGGHTS calls before any time integration fix, so the
+/// order of fixes in the script is free.
+///
+/// Impulse: reactionImpulse += M (v' - v) - dt pressureForce in each step, exact up to round-off; it
+/// is sent and set to zero at each exchange. With added mass m_a all other forces count m/(m + m_a).
+/// New particles between exchanges take over the values of the nearest particle of their rank that
+/// has its own: fluid velocity, spin and fraction as they are, drag coefficient times the ratio of
+/// diameters, rotational drag its cube, pressure force and added mass the ratio of volumes, no other
+/// force. When there is none, nothing acts on them until the next exchange.
+///
+/// f_ID[1..3]  fluid force on all particles at the last exchange [N]
+/// f_ID[4]     coupled particles, [5] seconds spent in exchanges, waiting for the solver included
+/// f_ID[6..8]  reaction impulse of particles that vanished before it could be sent [N s]
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "fix.h"
+
+#include "coupling/bridge/coupling_link.h"
+#include "host/couple_bridge_options.h"
+#include "host/fluid_properties.h"
+
+namespace powderlink::host {
+
+class FixCoupleBridge : public LAMMPS_NS::Fix {
+ public:
+  static constexpr const char* kStyle = "couple/bridge";
+
+  FixCoupleBridge(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg);
+  ~FixCoupleBridge() override;
+
+  int setmask() override;
+  void post_create() override;
+  void pre_delete(bool unfixflag) override;
+  void init() override;
+  void setup(int vflag) override;
+  void pre_initial_integrate() override;
+  void pre_final_integrate() override;
+  double compute_vector(int n) override;
+
+ private:
+  // --- link to the solver (fix_couple_bridge_exchange.cpp)
+  void check_host() const;
+  void open_link();
+  void check_domains() const;
+  void exchange(LAMMPS_NS::bigint step);
+  void gather(std::vector<int>& destination, std::vector<bridge::ColumnView>& columns);
+  void fill(const bridge::FieldSpec& field, std::vector<double>& values) const;
+  void check_values() const;
+  void store();
+  void count_lost_impulse();
+  void save(LAMMPS_NS::bigint step);
+  void end_by_solver(LAMMPS_NS::bigint step);
+  [[noreturn]] void stop(const std::string& message) const;
+  void say(const std::string& message) const;
+
+  // --- what the fluid does to a particle
+  void relax();
+  void move(int i);
+  void hold(int i);
+  void find_held_atoms();
+  void borrow_values(const std::vector<int>& newcomers);
+  void set_step(int i);
+  void scale_forces();
+
+  CoupleBridgeOptions options_;
+  FluidProperties properties_;
+  std::unique_ptr<bridge::DemLink> link_;
+  bool over_ = false;  ///< the solver has ended the coupled run
+  bool spins_ = false, has_added_mass_ = false;
+  bool forces_of_setup_ = false;
+  int held_ = 0;  ///< group bits of the atoms that fix freeze holds
+  double dt_s_ = 0.0;  ///< agreed on
+  LAMMPS_NS::bigint next_exchange_ = -1;
+  double exchange_s_ = 0.0;
+  double impulse_[3] = {0, 0, 0};       ///< of all reactions on this rank since the last exchange
+  double lost_impulse_[3] = {0, 0, 0};  ///< on all ranks
+
+  std::vector<int> rows_;  ///< atoms that were sent
+  std::vector<std::int64_t> ids_;
+  std::vector<std::vector<double>> sent_, got_;  ///< by column
+  std::vector<int> newcomers_;
+};
+
+}  // namespace powderlink::host

@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// The link of fix couple/bridge to the solver: opening, exchanges, checkpoints, ends.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+
+#include <mpi.h>
+
+#include "atom.h"
+#include "domain.h"
+#include "modify.h"
+#include "signal_handling.h"
+#include "update.h"
+
+#include "coupling/bridge/coupling_fields.h"
+#include "host/checkpoint_file.h"
+#include "host/coupled_world.h"
+#include "host/fix_couple_bridge.h"
+#include "models/invalid_input.h"
+
+namespace powderlink::host {
+
+using namespace LAMMPS_NS;
+namespace fields = bridge::fields;
+
+void FixCoupleBridge::say(const std::string& message) const {
+  int rank = 0;
+  MPI_Comm_rank(world, &rank);
+  if (rank != 0) return;
+  for (std::FILE* out : {screen, logfile}) {
+    if (out == nullptr) continue;
+    std::fprintf(out, "couple/bridge: %s\n", message.c_str());
+    std::fflush(out);
+  }
+}
+
+void FixCoupleBridge::check_host() const {
+  if (std::strcmp(update->unit_style, "si") != 0) {
+    stop(std::string("units; given: ") + update->unit_style +
+         "; allowed: si, as in the solver; to do: write units si at the top of the script");
+  }
+  if (!atom->radius_flag || !atom->rmass_flag || !atom->omega_flag || atom->superquadric_flag) {
+    stop(
+        "atom_style; given: particles that are not spheres with a radius; allowed: atom_style "
+        "granular or sphere; to do: change atom_style");
+  }
+  for (const char* other : {"multisphere", "rigid"}) {
+    if (modify->n_fixes_style(other) == 0) continue;
+    stop(std::string("bodies of several spheres; given: fix ") + other +
+         "; allowed: single spheres; to do: couple single spheres only");
+  }
+  if (modify->n_fixes_style(kStyle) > 1) {
+    stop(
+        "fix couple/bridge; given: two of them; allowed: one; to do: use one with a group that "
+        "holds all coupled particles");
+  }
+  if (std::strcmp(update->integrate_style, "verlet") != 0) {
+    stop(std::string("run_style; given: ") + update->integrate_style +
+         "; allowed: verlet; to do: remove run_style");
+  }
+}
+
+void FixCoupleBridge::open_link() {
+  bridge::LinkOptions link;
+  link.route = options_.socket ? bridge::LinkOptions::Route::socket : bridge::LinkOptions::Route::mpi;
+  link.world = coupled_world();
+  link.socket.address = options_.address;
+  link.socket.rendezvous_file = options_.rendezvous_file;
+  link.socket.token = options_.token;
+  link.listens = options_.listens;
+  link.timeout_s = options_.timeout_s;
+
+  dt_s_ = update->dt;
+  bridge::Hello hello;
+  hello.role = "dem";
+  hello.case_name = options_.case_name;
+  MPI_Comm_size(world, &hello.ranks);
+  hello.exchange_interval_s = options_.every * dt_s_;
+  hello.offers = {fields::id,     fields::position, fields::velocity,        fields::spin,
+                  fields::radius, fields::density,  fields::reaction_impulse};
+  hello.needs = {fields::fluid_velocity, fields::fluid_fraction, fields::drag_coefficient,
+                 fields::reacting_force, fields::pressure_force};
+  try {
+    link_ = std::make_unique<bridge::DemLink>(world, link, hello, FluidProperties::known_fields());
+  } catch (const bridge::BridgeError& problem) {
+    stop(problem.what());
+  }
+  for (const bridge::FieldSpec& field : link_->plan().to_dem) {
+    has_added_mass_ = has_added_mass_ || field == fields::added_mass;
+    spins_ = spins_ || field == fields::rotational_drag || field == fields::fluid_torque;
+  }
+  sent_.resize(link_->plan().to_solver.size());
+  got_.resize(link_->plan().to_dem.size());
+  check_domains();
+  say("coupled to " + link_->peer().role + " on " + std::to_string(link_->peer().ranks) +
+      " rank(s), an exchange every " + std::to_string(options_.every) + " steps (" +
+      number_text(options_.every * dt_s_) + " s)");
+}
+
+void FixCoupleBridge::check_domains() const {
+  const bridge::RankMap& map = link_->rank_map();
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double low = map.origin_m[axis];
+    const double high = low + map.spacing_m[axis] * map.voxels[axis];
+    if (domain->boxhi[axis] > low && domain->boxlo[axis] < high) continue;
+    const std::string name(1, "xyz"[axis]);
+    stop("domains along " + name + "; given: box of LIGGGHTS " + number_text(domain->boxlo[axis]) +
+         " to " + number_text(domain->boxhi[axis]) + " m, mesh of the solver " + number_text(low) +
+         " to " + number_text(high) +
+         " m; allowed: two that overlap; to do: check units (m) and origin of region and mesh");
+  }
+}
+
+void FixCoupleBridge::fill(const bridge::FieldSpec& field, std::vector<double>& values) const {
+  const auto scalars = [&](const double* from) {
+    values.resize(rows_.size());
+    for (std::size_t r = 0; r < rows_.size(); ++r) values[r] = from[rows_[r]];
+  };
+  const auto vectors = [&](double* const* from) {
+    values.resize(3 * rows_.size());
+    for (std::size_t r = 0; r < rows_.size(); ++r) {
+      std::copy(from[rows_[r]], from[rows_[r]] + 3, &values[3 * r]);
+    }
+  };
+  if (field == fields::velocity) vectors(atom->v);
+  if (field == fields::spin) vectors(atom->omega);
+  if (field == fields::radius) scalars(atom->radius);
+  if (field == fields::density) scalars(atom->density);
+  if (field == fields::reaction_impulse) vectors(properties_.reaction_impulse());
+  if (!(field == fields::position)) return;
+  vectors(atom->x);
+  // Between two rebuilds of the neighbour list atoms may stand a little beyond a periodic boundary.
+  for (std::size_t c = 0; c < values.size(); ++c) {
+    const std::size_t axis = c % 3;
+    if (!domain->periodicity[axis]) continue;
+    const double length = domain->boxhi[axis] - domain->boxlo[axis];
+    if (values[c] < domain->boxlo[axis]) values[c] += length;
+    if (values[c] >= domain->boxhi[axis]) values[c] -= length;
+  }
+}
+
+void FixCoupleBridge::gather(std::vector<int>& destination,
+                             std::vector<bridge::ColumnView>& columns) {
+  rows_.clear();
+  ids_.clear();
+  for (int i = 0; i < atom->nlocal; ++i) {
+    if (!(atom->mask[i] & groupbit)) continue;
+    rows_.push_back(i);
+    ids_.push_back(atom->tag[i]);
+  }
+  std::vector<double> position;
+  fill(fields::position, position);
+  destination.resize(rows_.size());
+  for (std::size_t r = 0; r < rows_.size(); ++r) {
+    destination[r] = link_->rank_map().rank_of(&position[3 * r]);
+  }
+  const auto& plan = link_->plan().to_solver;
+  for (std::size_t column = 0; column < plan.size(); ++column) {
+    if (plan[column] == fields::id) {
+      columns.emplace_back(ids_.data(), rows_.size());
+    } else {
+      fill(plan[column], sent_[column]);
+      columns.emplace_back(sent_[column].data(), rows_.size());
+    }
+  }
+}
+
+/// A value that is not a number would spread through the contacts and be noticed much later.
+void FixCoupleBridge::check_values() const {
+  const auto& plan = link_->plan().to_dem;
+  int wrong[2] = {-1, -1};  // column, particle
+  for (std::size_t column = 0; column < plan.size(); ++column) {
+    const bool not_negative = plan[column] == fields::drag_coefficient ||
+                              plan[column] == fields::rotational_drag ||
+                              plan[column] == fields::added_mass;
+    for (std::size_t n = 0; n < got_[column].size(); ++n) {
+      const double value = got_[column][n];
+      if (std::isfinite(value) && !(not_negative && value < 0.0)) continue;
+      wrong[0] = static_cast<int>(column);
+      wrong[1] = static_cast<int>(ids_[n / plan[column].shape.components()]);
+    }
+  }
+  MPI_Allreduce(MPI_IN_PLACE, wrong, 2, MPI_INT, MPI_MAX, world);
+  if (wrong[0] < 0) return;
+  stop("values of the solver: " + bridge::describe(plan[static_cast<std::size_t>(wrong[0])]) +
+       "; given: a negative one or not a number for particle " + std::to_string(wrong[1]) +
+       "; allowed: finite numbers, coefficients of 0 or more; to do: see whether the flow has "
+       "diverged; lower its time step");
+}
+
+void FixCoupleBridge::store() {
+  const auto& plan = link_->plan().to_dem;
+  for (std::size_t column = 0; column < plan.size(); ++column) {
+    const FixPropertyAtom* property = properties_.of_field(plan[column].name);
+    const std::vector<double>& values = got_[column];
+    for (std::size_t r = 0; r < rows_.size(); ++r) {
+      if (plan[column].shape == bridge::scalar) {
+        property->vector_atom[rows_[r]] = values[r];
+      } else {
+        std::copy(&values[3 * r], &values[3 * r] + 3, property->array_atom[rows_[r]]);
+      }
+    }
+  }
+  for (const int i : rows_) {
+    properties_.step()[i][FluidProperties::kState] = FluidProperties::kOwn;
+    set_step(i);
+  }
+}
+
+/// What was given to all particles, less what those that are still here carry.
+void FixCoupleBridge::count_lost_impulse() {
+  double lost[3] = {impulse_[0], impulse_[1], impulse_[2]};
+  for (const int i : rows_) {
+    for (int c = 0; c < 3; ++c) lost[c] -= properties_.reaction_impulse()[i][c];
+  }
+  MPI_Allreduce(MPI_IN_PLACE, lost, 3, MPI_DOUBLE, MPI_SUM, world);
+  // The first exchange of a continued run sends what was collected before.
+  if (next_exchange_ < 0) return;
+  for (int c = 0; c < 3; ++c) lost_impulse_[c] += lost[c];
+}
+
+void FixCoupleBridge::save(bigint step) {
+  const std::string file = options_.checkpoint_prefix + std::to_string(step);
+  // The state is that of the step before the one that LIGGGHTS has begun to count.
+  update->ntimestep = step;
+  bring_atoms_home(lmp);
+  const std::string problem = write_checkpoint(lmp, file);
+  update->ntimestep = step + 1;
+  if (!problem.empty()) stop(problem);
+  say("wrote " + file);
+}
+
+void FixCoupleBridge::end_by_solver(bigint step) {
+  over_ = true;
+  say("the solver ended the coupled run at step " + std::to_string(step) + ", time " +
+      number_text(static_cast<double>(step) * dt_s_) +
+      " s; this program stops after one more step");
+  SignalHandler::enable_restart_writing = false;
+  SignalHandler::request_quit = true;
+}
+
+void FixCoupleBridge::exchange(bigint step) {
+  const double start = MPI_Wtime();
+  bridge::SolverWord word;
+  try {
+    std::vector<int> destination;
+    std::vector<bridge::ColumnView> columns;
+    gather(destination, columns);
+    link_->send_particles(step, static_cast<double>(step) * dt_s_, destination, columns);
+    std::vector<bridge::MutableColumnView> room;
+    for (std::size_t column = 0; column < got_.size(); ++column) {
+      got_[column].resize(rows_.size() * link_->plan().to_dem[column].shape.components());
+      room.emplace_back(got_[column].data(), rows_.size());
+    }
+    word = link_->receive_values(room);
+  } catch (const bridge::BridgeError& problem) {
+    stop(problem.what());
+  }
+  exchange_s_ += MPI_Wtime() - start;
+  if (word.command == bridge::Command::stop) {
+    if (word.checkpoint) save(step);
+    end_by_solver(step);
+    return;
+  }
+  check_values();
+  store();
+  count_lost_impulse();
+  if (word.checkpoint) save(step);
+  for (int i = 0; i < atom->nlocal; ++i) {
+    for (int c = 0; c < 3; ++c) properties_.reaction_impulse()[i][c] = 0.0;
+  }
+  std::fill(impulse_, impulse_ + 3, 0.0);
+  next_exchange_ = step + options_.every;
+}
+
+}  // namespace powderlink::host

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cstdint>
+
+#include "analysis/restart/checkpoints.h"
+#include "analysis/restart/prepare.h"
+#include "tests/analysis/flow_case.h"
+
+namespace powderlink::analysis {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kTimeStep_s = 2e-7;
+const char* const kClosed = "FoamFile {}\n1\n\n// ***************************************** //\n";
+const char* const kControl =
+    "#include \"caseSettings\"\nstartFrom         startTime;\nstartTime         0;\n"
+    "stopAt endTime;\n";
+
+/// The head of a LIGGGHTS 3.8 restart file, and some content.
+std::string restart_text(std::int64_t step) {
+  std::string text;
+  const auto add = [&text](auto value) {
+    text.append(reinterpret_cast<const char*>(&value), sizeof(value));
+  };
+  const auto add_text = [&](std::int32_t item, const std::string& value) {
+    add(item);
+    add(static_cast<std::int32_t>(value.size() + 1));
+    text += value + '\0';
+  };
+  add_text(0, "Version LIGGGHTS-PUBLIC 3.8.0");
+  for (const std::int32_t item : {1, 2, 3}) {
+    add(item);
+    add(std::int32_t{4});
+  }
+  add_text(4, "si");
+  add(std::int32_t{5});
+  add(step);
+  return text + std::string(1000, 'x');
+}
+
+class Restart : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    write_in(folder_, "in.pipe", "timestep 2e-7\n");
+    write_in(folder_, "system/controlDict", kControl);
+    write_in(folder_, "0/U", "no last line");
+    for (const int k : {1, 2, 3}) {
+      fields(time(k));
+      dem(50000L * k);
+    }
+  }
+  static std::string time(int k) { return fmt::format("{:g}", 0.01 * k); }
+  void fields(const std::string& name, const std::string& root = "") {
+    for (const char* field : {"U", "p", "phi", "alphaf", "nut"}) {
+      write_in(folder_, root + name + "/" + field, kClosed);
+    }
+  }
+  void dem(long step) {
+    write_in(folder_, fmt::format("post/restart.{}", step), restart_text(step));
+  }
+  Checkpoints find() const { return find_checkpoints(folder_.path(), {}); }
+  void expect_last(const std::string& name, long step, const std::string& reason) const {
+    const Checkpoints found = find();
+    ASSERT_TRUE(found.last);
+    EXPECT_EQ(found.last->fields.name, name);
+    EXPECT_EQ(found.last->dem.step, step);
+    std::string all;
+    for (const std::string& line : found.refused()) all += line + "\n";
+    EXPECT_NE(all.find(reason), std::string::npos) << all;
+  }
+  TestFolder folder_;
+};
+
+TEST_F(Restart, TakesTheLatestCompletePair) {
+  expect_last("0.03", 150000, "");
+  EXPECT_TRUE(find().refused().empty());
+}
+
+TEST_F(Restart, HalfWrittenFields) {
+  write_in(folder_, "0.03/phi", std::string(kClosed).substr(0, 30));
+  expect_last("0.02", 100000, "0.03/phi breaks off");
+  write_in(folder_, "0.03/phi", "");
+  expect_last("0.02", 100000, "0.03/phi is empty");
+  fs::remove(folder_.path() / "0.03/phi");
+  expect_last("0.02", 100000, "0.03/phi is missing");
+}
+
+TEST_F(Restart, HalfWrittenOrForeignRestartFiles) {
+  write_in(folder_, "post/restart.150000", "");
+  expect_last("0.02", 100000, "restart.150000 is empty");
+  write_in(folder_, "post/restart.150000", restart_text(150000).substr(0, 60));
+  expect_last("0.02", 100000, "breaks off");
+  write_in(folder_, "post/restart.150000", restart_text(100000));
+  expect_last("0.02", 100000, "holds step 100000");
+  fs::rename(folder_.path() / "post/restart.150000", folder_.path() / "post/restart.150000.part");
+  expect_last("0.02", 100000, "no post/restart.150000");
+}
+
+TEST_F(Restart, TimesThatDoNotMeet) {
+  fs::rename(folder_.path() / "post/restart.150000", folder_.path() / "post/restart.160000");
+  write_in(folder_, "post/restart.160000", restart_text(160000));
+  expect_last("0.02", 100000, "restart.160000: no fields of time 0.032 s");
+  // One step off is another state.
+  write_in(folder_, "post/restart.150001", restart_text(150001));
+  write_in(folder_, "0.03/uniform/time", "value           0.03;\nname \"0.03\";\n");
+  expect_last("0.02", 100000, "no post/restart.150000");
+}
+
+TEST_F(Restart, RoundedNamesAreReadExactly) {
+  // Four digits in the name; the file in it says 0.06123444 s, which is step 306172.2.
+  fields("0.06123");
+  write_in(folder_, "0.06123/uniform/time", "value           0.06123444;\n");
+  dem(306150);  // 0.06123 s
+  dem(306173);  // 0.0612346 s
+  expect_last("0.03", 150000, "no post/restart.306172");
+  dem(306172);
+  expect_last("0.06123", 306172, "");
+}
+
+TEST_F(Restart, NamesMayDropZerosAndRoundToSixDigits) {
+  // Without the file uniform/time: 100001 steps are 0.0200002 s, a time of its own.
+  dem(100001);
+  fields("0.0200002");
+  expect_last("0.03", 150000, "");
+  // 12.3456789 s is written as 12.3457; half a unit of that digit is 5e-5 s.
+  fields("12.3457");
+  dem(61728395);
+  expect_last("12.3457", 61728395, "");
+}
+
+TEST_F(Restart, EveryProcessorMustBeWhole) {
+  for (const char* root : {"processor0/", "processor1/", "processor10/"}) {
+    for (const int k : {1, 2, 3}) fields(time(k), root);
+  }
+  expect_last("0.03", 150000, "");
+  EXPECT_EQ(find().last->fields.folders.size(), 3U);
+  fs::remove(folder_.path() / "processor10/0.03/nut");
+  expect_last("0.02", 100000, "processor10/0.03/nut is missing");
+  fs::remove_all(folder_.path() / "processor1/0.02");
+  expect_last("0.01", 50000, "processor1/0.02/U is missing");
+}
+
+TEST_F(Restart, NothingCompleteSaysWhatIsMissing) {
+  for (const int k : {1, 2, 3}) fs::remove(folder_.path() / time(k) / "alphaf");
+  expect_refusal([&] { require_checkpoints(folder_.path(), {}); },
+                 {"0.03/alphaf is missing", "0.01/alphaf is missing", "start the run"});
+  expect_refusal([&] { require_checkpoints(folder_.path() / "none", {}); }, {"opening the case"});
+}
+
+TEST_F(Restart, PrepareMovesAsideAndLinksButDeletesNothing) {
+  write_in(folder_, "0.03/phi", "");
+  const auto count = [&] {
+    std::size_t files = 0;
+    for (const auto& entry : fs::recursive_directory_iterator(folder_.path())) {
+      files += entry.is_regular_file() && !entry.is_symlink() ? 1 : 0;
+    }
+    return files;
+  };
+  const std::size_t before = count();
+  for (int again = 0; again < 2; ++again) {
+    prepare_restart(folder_.path(), find());
+    EXPECT_EQ(count(), before);
+    EXPECT_FALSE(fs::exists(folder_.path() / "0.03"));
+    EXPECT_TRUE(fs::exists(folder_.path() / "discarded/0.03/phi"));
+    EXPECT_EQ(fs::read_symlink(folder_.path() / "post/restart.latest"), "restart.100000");
+    EXPECT_EQ(read_file(folder_.path() / "system/controlDict"),
+              "#include \"caseSettings\"\nstartFrom         latestTime;\nstartTime         0;\n"
+              "stopAt endTime;\n");
+  }
+  // The run is killed in the same way once more: both discarded states are kept.
+  fields("0.03");
+  write_in(folder_, "0.03/phi", "");
+  prepare_restart(folder_.path(), find());
+  EXPECT_TRUE(fs::exists(folder_.path() / "discarded/0.03.1/phi"));
+}
+
+TEST_F(Restart, PrepareOfProcessorsKeepsThemApart) {
+  for (const char* root : {"processor0/", "processor1/"}) {
+    for (const int k : {1, 2, 3}) fields(time(k), root);
+  }
+  fs::remove_all(folder_.path() / "processor1/0.03");
+  prepare_restart(folder_.path(), find());
+  EXPECT_TRUE(fs::exists(folder_.path() / "discarded/processor0/0.03/U"));
+  EXPECT_TRUE(fs::exists(folder_.path() / "processor0/0.02/U"));
+}
+
+TEST_F(Restart, PrepareRefusesBeforeItChangesAnything) {
+  write_in(folder_, "0.03/phi", "");
+  write_in(folder_, "system/controlDict", "#include \"settings\"\n");
+  expect_refusal([&] { prepare_restart(folder_.path(), find()); }, {"no entry startFrom"});
+  EXPECT_TRUE(fs::exists(folder_.path() / "0.03"));
+  EXPECT_FALSE(fs::exists(folder_.path() / "post/restart.latest"));
+}
+
+}  // namespace
+}  // namespace powderlink::analysis

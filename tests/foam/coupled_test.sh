@@ -1,0 +1,310 @@
+#!/usr/bin/env bash
+# coupled_test.sh TEST REPOSITORY BIN FAKE_DEM WORK: powderFoam coupled with a stand-in for LIGGGHTS in the
+# periodic box of foam_cases/closed_box (8 x 8 x 8 cells, 4 mm), 216 steel spheres of 60 um.
+set -euo pipefail
+test=$1 root=$2 bin=$3 fake_dem=$4 work=$5/$1
+export WM_PROJECT_DIR=${WM_PROJECT_DIR:-/usr/share/openfoam}
+export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
+rm -rf "$work"
+mkdir -p "$work"
+status=0
+failed() { echo "FAILED: $*" >&2; status=1; }
+limit_s=60
+
+new_case() {  # name
+  case_dir=$work/$1
+  mkdir -p "$case_dir"
+  cd "$case_dir"
+  cp -r "$root"/foam_cases/closed_box/{0,constant,system} .
+  cat >system/caseSettings <<'SETTINGS'
+side 4e-3; cells (8 8 8); endTime 4e-4; deltaT 1e-5;
+SETTINGS
+  # So that fields can be compared and a restart loses nothing.
+  sed -i -E 's/^(writePrecision *).*/\118;/' system/controlDict
+  cat >constant/couplingProperties <<'DICT'
+FoamFile { version 2.0; format ascii; class dictionary; object couplingProperties; }
+model               B;
+couplingInterval    2;
+particleMomentum
+{
+    type                bridge;
+    transport           mpi;
+    timeout             20;
+    caseName            closed_box;
+    coupling            twoWay;
+    schedule            staggered;
+    momentumExchange    semiImplicit;
+    voidFraction        { type smooth; length 5e-4; }
+    interpolation       cellPoint;
+    forces              (schiller_naumann);
+}
+DICT
+  if [[ -d $work/mesh ]]; then
+    cp -r "$work/mesh" constant/polyMesh
+  else
+    blockMesh >log.blockMesh 2>&1
+    cp -r constant/polyMesh "$work/mesh"
+  fi
+}
+change() { sed -i -E "s/^( *$1 +)[^;{]*;/\1$2;/" constant/couplingProperties; }
+control() { sed -i -E "s/^($1 +)[^;]*;/\1$2;/" system/controlDict; }
+mpi() {  # one mpirun; ranks of the DEM, ranks of powderFoam, words for the DEM
+  local dem=$1 foam=$2 parallel=
+  shift 2
+  [[ $foam == 1 ]] || { parallel=-parallel; decomposePar -force >log.decomposePar 2>&1; }
+  timeout $limit_s mpirun --oversubscribe --bind-to none --mca mpi_yield_when_idle 1 \
+    -np "$dem" "$fake_dem" "$@" : -np "$foam" "$bin/powderFoam" $parallel >log 2>&1
+}
+run() { mpi 1 1 "$@" || { failed "$case_dir: exit status $?"; tail -n 20 log >&2; }; }
+solver_is_silent() { ! grep -q . <(find . -maxdepth 1 -name '*e-*'); }
+below() { awk -v v="$2" -v l="$3" 'BEGIN { exit !(v != "" && v + 0 <= l) }' || failed "$1: $2, above $3"; }
+# Largest difference of the numbers of two files, relative to the largest number.
+difference() {
+  awk '{ gsub(/[();]/, " ") } NR == FNR { for (i = 1; i <= NF; i++) a[FNR, i] = $i; n = FNR; next }
+    { for (i = 1; i <= NF; i++) if ($i ~ /^-?[0-9.]+(e[-+]?[0-9]+)?$/) {
+        d = $i - a[FNR, i]; if (d < 0) d = -d; if (d > e) e = d
+        m = $i < 0 ? -$i : $i; if (m > s) s = m; k++ } }
+    END { print (FNR == n && k) ? e/(s > 0 ? s : 1) : "other length" }' "$1" "$2"
+}
+same_fields() {  # what folder folder tolerance
+  for field in U phi p alphaf momentumBalance; do
+    below "$1, $field" "$(difference "$2/$field" "$3/$field")" "$4"
+  done
+}
+# Columns of velocity of the DEM's last state, one particle per line.
+velocities() { awk 'NR > 1 { print $6, $7, $8 }' "$1"; }
+error_text() {  # what, texts
+  local what=$1
+  shift
+  for text in "given:" "allowed:" "to do:" "$@"; do
+    grep -qF -- "$text" log || failed "$what: the message lacks '$text'"
+  done
+}
+refused() {  # what, texts that the message must hold
+  local what=$1 code=0
+  shift
+  limit_s=30 mpi 1 1 grid=2 || code=$?
+  [[ $code != 0 && $code != 124 ]] || failed "$what: exit status $code"
+  error_text "$what" "$@"
+  solver_is_silent || failed "$what: fields were written"
+}
+
+case $test in
+  momentum)
+    # What the gas holds, what is open and what the particles were given add up to zero.
+    for exchange in semiImplicit explicit; do
+      new_case "$exchange"
+      change momentumExchange "$exchange"
+      run
+      worst=$(awk '/^momentum / { if ($NF > w) w = $NF } END { print NR ? w : "" }' log)
+      below "$exchange, closure in the solver's books" "$worst" 1e-10
+      # Independent of those books: the gas's momentum from its fields, the impulse from the DEM.
+      awk -v exchange="$exchange" '
+        FILENAME ~ /log$/ && /^momentum / { gsub(/[()]/, " "); for (c = 0; c < 3; c++) {
+          fluid[c] = $(5 + c); dem[c] = $(9 + c); open[c] = $(13 + c) } }
+        FILENAME ~ /log$/ && /^taken:/ { for (c = 0; c < 3; c++) taken[c] = $(2 + c) }
+        # The last row but one is at the last exchange that the log has; argon of 1.66 kg/m3.
+        FILENAME ~ /dat$/ && !/^#/ { gsub(/[()]/, " "); for (c = 0; c < 3; c++) {
+          gas[c] = 1.66*row[c]; row[c] = $(2 + c) } }
+        END {
+          solids = 216*4/3*3.14159265358979*(3e-5)^3
+          gas[0] -= 1.66*5*(6.4e-8 - solids)
+          for (c = 0; c < 3; c++) { scale += taken[c]^2; a += (taken[c] - dem[c])^2
+            b += (fluid[c] + dem[c] + open[c])^2; d += (gas[c] - fluid[c])^2 }
+          scale = sqrt(scale)
+          a = sqrt(a)/scale; b = sqrt(b)/scale; d = sqrt(d)/scale
+          printf "%s: DEM against the books %.3g, their sum %.3g, gas against the books %.3g\n", exchange, a, b, d
+          # The log has 6 digits; PISO leaves a little of the momentum equation.
+          exit !(scale > 0 && a < 1e-5 && b < 1e-5 && d < 1e-4) }' \
+        log postProcessing/gasMomentum/0/volFieldValue.dat || failed "$exchange: momentum"
+    done
+    ;;
+  one_way)
+    new_case two
+    run
+    new_case one
+    change coupling oneWay
+    run
+    # The uniform stream in a periodic box stays as it is.
+    awk '/^momentum/ { exit 1 }' log || failed "one way: momentum was exchanged"
+    bad=$(awk '/^internalField/ { u = 1 } u && /^\(/ && NF == 3 { gsub(/[()]/, " ")
+      e = ($1 - 5)^2 + $2^2 + $3^2; if (e > w) w = e } /^boundaryField/ { exit } END { print sqrt(w) }' 0.0004/U)
+    below "one way: change of the stream" "$bad" 1e-9
+    below "one way: particles differ from two-way ones" \
+      "$(awk -v d="$(difference <(velocities dem.state) <(velocities ../two/dem.state))" \
+        'BEGIN { print (d + 0 > 1e-6) ? 0 : 1 }')" 0
+    ;;
+  transports)
+    new_case mpi
+    run
+    new_case socket
+    change transport socket
+    timeout $limit_s "$bin/powderFoam" >log 2>&1 &
+    foam=$!
+    timeout $limit_s "$fake_dem" transport=socket >log.dem 2>&1 || failed "socket: DEM"
+    wait $foam || { tail -n 20 log >&2; failed "socket: powderFoam"; }
+    same_fields "mpi and socket" ../mpi/0.0004 0.0004 1e-14
+    ;;
+  decomposed)
+    # With `cell`: on cyclic patches OpenFOAM's values of points are not the same on one rank and on two
+    # (volPointInterpolation), which cellPoint shows at 1e-5.
+    new_case serial
+    change interpolation cell
+    run
+    for ranks in "1 2" "2 2"; do
+      new_case "ranks_${ranks// /_}"
+      change interpolation cell
+      # shellcheck disable=SC2086
+      mpi $ranks || { tail -n 20 log >&2; failed "$ranks ranks"; }
+      below "$ranks ranks: particles" \
+        "$(difference <(velocities ../serial/dem.state) <(velocities dem.state))" 1e-8
+      worst=$(awk '/^momentum / { if ($NF > w) w = $NF } END { print w }' log)
+      below "$ranks ranks: closure" "$worst" 1e-10
+    done
+    ;;
+  restart)
+    # With each exchange, and with the ramp and the open balance in full swing.
+    for exchange in semiImplicit explicit; do
+      new_case "whole_$exchange"
+      change momentumExchange "$exchange"
+      control writeInterval 2e-4
+      run
+      [[ -f dem.state.100 ]] || failed "no checkpoint of the DEM at the write time"
+      whole=$PWD
+      new_case "again_$exchange"
+      change momentumExchange "$exchange"
+      control writeInterval 2e-4
+      control startFrom latestTime
+      cp -r "$whole/0.0002" .
+      run state="$whole/dem.state.100"
+      same_fields "$exchange, restart" "$whole/0.0004" 0.0004 1e-10
+      below "$exchange, restart: particles" "$(difference "$whole/dem.state" dem.state)" 1e-10
+    done
+    ;;
+  schedules)
+    # Concurrent lags by one interval: its distance from a run with short intervals halves with D.
+    velocity_of() {  # name schedule steps-per-interval
+      new_case "$1"
+      change schedule "$2"
+      change couplingInterval "$3"
+      sed -i 's/deltaT 1e-5/deltaT 5e-6/; s/endTime 4e-4/endTime 9.6e-4/' system/caseSettings
+      run dt=5e-7 every=$((10*$3)) radius=1.5e-5
+      velocities dem.state >velocities
+    }
+    velocity_of reference staggered 1
+    velocity_of coarse concurrent 16
+    velocity_of fine concurrent 8
+    coarse=$(difference ../reference/velocities ../coarse/velocities)
+    fine=$(difference ../reference/velocities ../fine/velocities)
+    echo "error of concurrent: $coarse with D, $fine with D/2"
+    awk -v a="$coarse" -v b="$fine" 'BEGIN { exit !(a > 1e-5 && a/b > 1.6 && a/b < 2.6) }' ||
+      failed "concurrent: errors $coarse and $fine are not of first order"
+    # The fluid fraction comes without jumps: no step's pressure stands out from its neighbours'.
+    new_case ramp
+    change couplingInterval 4
+    cat >>system/controlDict <<'DICT'
+functions
+{
+    pressure { type fieldMinMax; libs (fieldFunctionObjects); fields (p);
+        location no; mode component; writeControl timeStep; writeInterval 1; log no; }
+}
+DICT
+    run every=20 radius=6e-5
+    spike=$(awk '!/^#/ { v[n++] = $3 > -$2 ? $3 : -$2 } END { for (i = 8; i < n; i++) { s = 0
+      for (k = 0; k < 8; k++) s += v[i - k]/8; if (v[i]/s > w) w = v[i]/s } print n > 20 ? w : "" }' \
+      postProcessing/pressure/0/fieldMinMax.dat)
+    below "largest pressure over the mean of 8 steps" "$spike" 3
+    ;;
+  ends)
+    new_case solver_first
+    run
+    [[ -f dem.state.200 && -f 0.0004/U ]] || failed "no pair of checkpoints at the end"
+    grep -q '^coupling share: ' log || failed "no coupling share"
+    new_case dem_first
+    run exchanges=5
+    grep -q 'The program of the particles has finished at time 0.0001 s' log || failed "DEM first: no message"
+    [[ -f 0.0001/U ]] || failed "DEM first: no fields"
+    for ranks in 1 2; do
+      new_case "dem_dies_$ranks"
+      code=0 begin=$(date +%s)
+      mpi 1 $ranks die_at=5 || code=$?
+      [[ $code != 0 && $code != 124 && $(($(date +%s) - begin)) -le 8 ]] ||
+        failed "DEM dies, $ranks ranks: status $code after $(($(date +%s) - begin)) s"
+    done
+    new_case dem_dies_socket
+    change transport socket
+    timeout $limit_s "$fake_dem" transport=socket die_at=5 >log.dem 2>&1 &
+    dem=$! code=0
+    timeout 10 "$bin/powderFoam" >log 2>&1 || code=$?
+    wait $dem || true
+    [[ $code != 0 && $code != 124 ]] || failed "DEM dies, socket: status $code"
+    error_text "DEM dies, socket" "dem"
+    # An error of the solver in the middle of the run ends both.
+    for ranks in 1 2; do
+      new_case "solver_fails_$ranks"
+      sed -i '/^model/a maxCoFatal 0.01;' constant/couplingProperties
+      code=0
+      limit_s=15 mpi 1 $ranks || code=$?
+      [[ $code != 0 && $code != 124 ]] || failed "solver fails, $ranks ranks: status $code"
+      error_text "solver fails, $ranks ranks" "Courant number above its limit"
+    done
+    ;;
+  adjusted_step)
+    new_case adjusted
+    sed -i -E 's/^couplingInterval.*/couplingTime 2e-5;/' constant/couplingProperties
+    sed -i 's/deltaT 1e-5/deltaT 4e-6/' system/caseSettings
+    control adjustTimeStep yes
+    printf 'maxCo 0.07; maxDeltaT 1;\n' >>system/controlDict
+    run
+    # 21 exchanges from 0 on, of which the last is answered by the end.
+    [[ $(grep -c '^momentum ' log) == 20 ]] || failed "exchanges: $(grep -c '^momentum ' log) instead of 20"
+    [[ -f 0.0004/U ]] || failed "no fields at the end time"
+    steps=$(grep -c '^Time = ' log)
+    [[ $steps -gt 40 && $steps -lt 100 ]] || failed "$steps steps"
+    ;;
+  refusals)
+    new_case bad
+    cp constant/couplingProperties good
+    again() { cp good constant/couplingProperties; rm -rf 0.0*; }
+    change caseName other
+    refused "case name" "closed_box" "other"
+    again; change couplingInterval 4
+    refused "interval" "interval between exchanges"
+    again; sed -i 's/interpolation /interpolaton /' constant/couplingProperties
+    refused "misspelt entry" "interpolation"
+    again; change schedule stagered
+    refused "misspelt value" "stagered" "staggered"
+    again; sed -i 's/schiller_naumann/schiler_naumann/' constant/couplingProperties
+    refused "misspelt force" "schiler_naumann" "schiller_naumann"
+    again; sed -i 's/type smooth/type smoth/' constant/couplingProperties
+    refused "misspelt void fraction" "smoth" "divided"
+    again; control writeInterval 3e-5
+    refused "write interval" "writeInterval"
+    control writeInterval 4e-4
+    control adjustTimeStep yes
+    refused "adjusted step without couplingTime" "couplingTime"
+    control adjustTimeStep no
+    again; sed -i '/^model/a couplingTime 2e-5;' constant/couplingProperties
+    refused "couplingTime beside couplingInterval" "couplingTime"
+    again; sed -i '/^rho/d' constant/transportProperties
+    refused "no density" "rho"
+    cp "$root/foam_cases/closed_box/constant/transportProperties" constant
+    # Particles beside the mesh.
+    again
+    code=0
+    limit_s=30 mpi 1 1 low=1 side=4e-3 || code=$?
+    [[ $code != 0 && $code != 124 ]] || failed "domains apart: status $code"
+    error_text "domains apart" "do not overlap" "(0 0 0)"
+    # Half of them: counted, with ids, and the run goes on.
+    again
+    mpi 1 1 low=-1e-3 exchanges=2 fixed=1 || failed "some outside: status $?"
+    # Three of six layers of the lattice lie below 0, in each direction.
+    grep -qE '^exchange 0: 216 particles, [1-9][0-9]* outside' log || failed "some outside: not counted"
+    grep -qE 'outside the mesh.* 3 at \(-' log || failed "some outside: no ids and positions"
+    ;;
+  *)
+    echo "unknown test: $test" >&2
+    exit 2
+    ;;
+esac
+exit $status

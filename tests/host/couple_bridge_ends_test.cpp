@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How a coupled job ends: in order from either side, or with one clear error that stops both.
+#include <gtest/gtest.h>
+
+#include "couple_bridge_case.h"
+
+namespace powderlink::testing {
+namespace {
+
+std::string good_script(const LiggghtsCase& c, const std::string& run = "run 100\n") {
+  c.write_spheres("spheres.data", {grain(-1e-3), grain(1e-3)}, 1e-2);
+  return header(soft_spheres(), "spheres.data") + kGas + dump_lines(50) + run;
+}
+
+constexpr const char* kWind = "interval=1e-5 wind=1,0,0 drag=1e-6";
+
+TEST(CoupleBridgeEnds, TheDemFinishesInOrder) {
+  const LiggghtsCase c("couple_end_dem");
+  const Outcome o = c.couple(good_script(c), {kWind, 2, 2});
+  EXPECT_EQ(o.status, 0) << o.output;
+  EXPECT_NE(o.output.find("fake solver: orderly end"), std::string::npos) << o.output;
+}
+
+TEST(CoupleBridgeEnds, TheSolverStopsInOrder) {
+  for (const bool socket : {false, true}) {
+    const LiggghtsCase c(socket ? "couple_end_solver_socket" : "couple_end_solver");
+    std::string script = good_script(c, "run 100\nrun 100\n");
+    if (socket) script.replace(script.find("every 10"), 8, "every 10 transport socket rendezvous meet");
+    const Outcome o = c.couple(script, {std::string(kWind) + " stop=3", 2, 1, socket});
+    EXPECT_EQ(o.status, 0) << o.output;
+    EXPECT_NE(o.output.find("the solver ended the coupled run at step 30, time 3e-05 s"),
+              std::string::npos)
+        << o.output;
+    EXPECT_NE(o.output.find("fake solver: orderly end"), std::string::npos) << o.output;
+    EXPECT_EQ(read_dump(c.folder() / "all.dump").count(50), 0u) << "the run went on";
+  }
+}
+
+TEST(CoupleBridgeEnds, AFullDiskIsNoticedAndEarlierCheckpointsStay) {
+  const LiggghtsCase c("couple_full_disk");
+  std::vector<Sphere> spheres;
+  for (int i = 0; i < 400; ++i) {
+    spheres.push_back(grain(-4e-3 + 2e-4 * (i % 20), -4e-3 + 2e-4 * (i / 20)));
+  }
+  c.write_spheres("spheres.data", spheres, 1e-2);
+  std::filesystem::create_directories(c.folder() / "post");
+  c.write("post/restart.0", "an earlier one");
+  const std::string script = header(soft_spheres(), "spheres.data") + kGas + "run 100\n";
+  // Files of more than 100 blocks of 512 bytes fail as on a full disk.
+  const Outcome o = c.couple(script, {std::string(kWind) + " checkpoint=2", 1, 1, false,
+                                      "trap '' XFSZ; ulimit -f 100"});
+  EXPECT_NE(o.status, 0);
+  EXPECT_LT(o.status, 124) << o.output;
+  EXPECT_NE(o.output.find("checkpoint post/restart.20; given: the disk did not take the whole file"),
+            std::string::npos)
+      << o.output;
+  EXPECT_TRUE(std::filesystem::exists(c.folder() / "post/restart.0"));
+  EXPECT_FALSE(std::filesystem::exists(c.folder() / "post/restart.20"));
+  EXPECT_FALSE(std::filesystem::exists(c.folder() / "post/restart.20.part"));
+}
+
+struct BadCase {
+  const char* name;
+  const char* find;        ///< in the good script ...
+  const char* replace_by;  ///< ... gives the bad one
+  const char* solver;      ///< more arguments of the solver
+  const char* message;     ///< part of what must be said
+};
+
+void PrintTo(const BadCase& c, std::ostream* out) { *out << c.name; }
+
+class CoupleBridgeBadInput : public ::testing::TestWithParam<BadCase> {};
+
+TEST_P(CoupleBridgeBadInput, StopsBothProgramsWithOneClearMessage) {
+  const BadCase& bad = GetParam();
+  const LiggghtsCase c(std::string("couple_bad_") + bad.name);
+  std::string script = good_script(c);
+  const std::string find = bad.find;
+  const auto at = script.find(find);
+  ASSERT_NE(at, std::string::npos);
+  script.replace(at, find.size(), bad.replace_by);
+  const Outcome o = c.couple(script, {std::string(kWind) + " " + bad.solver, 2, 1});
+  EXPECT_NE(o.status, 0) << o.output;
+  EXPECT_LT(o.status, 124) << "neither a signal nor a time-out\n" << o.output;
+  EXPECT_NE(o.output.find(bad.message), std::string::npos) << o.output;
+}
+
+const BadCase kBadCases[] = {
+    {"every", "every 10", "every 11", "", "interval between exchanges"},
+    {"keyword", "every 10", "evry 10", "", "keyword of fix couple/bridge; given: evry"},
+    {"case", "every 10", "every 10 case other", "", "case name"},
+    {"units", "units si", "units cgs", "", "units; given: cgs"},
+    {"two_fixes", "run 100", "fix more all couple/bridge every 10\nrun 100", "", "fix couple/bridge; given: two of them"},
+    {"time_step", "run 100", "run 15\ntimestep 2e-6\nrun 100", "", "time step; given: 2e-06 s"},
+    {"unknown_field", "run 100", "run 100", "unknown=1", "fluid_temperature [K]"},
+    {"not_a_number", "run 100", "run 100", "nan=2", "not a number for particle 2"},
+    {"solver_fails", "run 100", "run 100", "fail=2", "its error: flow; given: diverged"},
+    {"domains", "run 100", "run 100", "box=5,6", "domains along x; given: box of LIGGGHTS"},
+    {"script_error", "run 100", "run 15\nno_such_command\n", "", "Unknown command"},
+    {"folder", "every 10", "every 10 checkpoint in.script/r.", "checkpoint=1",
+     "checkpoint in.script/r.10; given: "},
+};
+
+INSTANTIATE_TEST_SUITE_P(Cases, CoupleBridgeBadInput, ::testing::ValuesIn(kBadCases),
+                         [](const auto& info) { return std::string(info.param.name); });
+
+TEST(CoupleBridgeEnds, ALiggghtsAloneIsToldHowToCouple) {
+  const LiggghtsCase c("couple_alone");
+  const Outcome o = c.run(good_script(c), 2);
+  EXPECT_NE(o.status, 0);
+  EXPECT_NE(o.output.find("coupling by mpi; given: a job that holds this program alone"),
+            std::string::npos)
+      << o.output;
+}
+
+TEST(CoupleBridgeEnds, ASolverThatNeverComesIsATimeout) {
+  const LiggghtsCase c("couple_nobody");
+  std::string script = good_script(c);
+  script.replace(script.find("every 10"), 8, "every 10 transport socket rendezvous meet timeout 1");
+  const Outcome o = c.run(script);
+  EXPECT_NE(o.status, 0);
+  EXPECT_LT(o.status, 124) << o.output;
+  EXPECT_NE(o.output.find("within 1 s"), std::string::npos) << o.output;
+}
+
+}  // namespace
+}  // namespace powderlink::testing
