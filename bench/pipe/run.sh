@@ -3,7 +3,7 @@
 # ms of pipe case A from the filled state, powderlink against stock DPMFoam and MP-PIC on two ranks,
 # with the same mesh, gas, grains (positions, velocities, diameters) and pressure solver.
 #   powderlink  2 ms of warm-up, then 2 ms; each 5000 DEM steps
-#   stock       2 steps of warm-up, then N steps (default 10) of 5 us; extrapolated to 1 ms
+#   stock       2 steps of warm-up, then N steps (default 10; MP-PIC 4 N) of 5 us; extrapolated to 1 ms
 # MPPICFoam: 'build' (default) compiles it again (build_mppic.sh), as the packaged one diverges here.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
@@ -64,7 +64,7 @@ powderlink() {
     "$(memory "$work/memory" liggghts-powder)+$(memory "$work/memory" powderFoam)" "${share:--}"
 }
 
-stock() {  # name, program
+stock() {  # name, program, steps
   local folder=$work/$1 from=$work/powderlink/case fields
   mkdir "$folder"
   cp -r "$here"/stock/* "$folder"
@@ -87,7 +87,7 @@ stock() {  # name, program
       for (i = 1; i <= n; i++) print grain[i]
       print ")"
     }' "$from/post/particles_5000.dump" >constant/grains
-  sed -i -E "s/^(endTime +)[^;]*;/\1$(awk "BEGIN { print ($steps + 2)*$stock_dt_s }");/" system/controlDict
+  sed -i -E "s/^(endTime +)[^;]*;/\1$(awk "BEGIN { print ($3 + 2)*$stock_dt_s }");/" system/controlDict
   sed -i -E "s/^(numberOfSubdomains).*/\1 $stock_ranks;/; s/^( *n ).*/\1(1 1 $stock_ranks);/" system/decomposeParDict
   decomposePar >log.decomposePar
   watch_memory "$folder" "$folder/memory" &
@@ -119,10 +119,10 @@ stock() {  # name, program
 echo "gas alone, then 4 ms of powderlink ($layout ranks)..." >&2
 powderlink
 echo "DPMFoam, $((steps + 2)) steps..." >&2
-stock DPMFoam DPMFoam
+stock DPMFoam DPMFoam "$steps"
 if [[ $mppic != no ]]; then
-  echo "MPPICFoam, $((steps + 2)) steps..." >&2
-  stock MPPICFoam "$mppic"
+  echo "MPPICFoam, $((4*steps + 2)) steps..." >&2
+  stock MPPICFoam "$mppic" $((4*steps))
 fi
 printf '%-14s %-16s %14s %8s %14s %10s\n' solver ranks "wall s per ms" ratio "MB/process" "coupling %"
 printf '%s\n' "${table[@]}"

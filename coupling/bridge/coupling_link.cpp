@@ -30,8 +30,8 @@ enum class DemState : std::int32_t { going_on = 0, finished = 1 };
 void share_bytes(MPI_Comm local, void* data, std::size_t bytes, double timeout_s) {
   if (bytes == 0) return;
   // On the heap: after a timeout MPI may still write into it.
-  auto* copy = new std::vector<char>(static_cast<const char*>(data),
-                                     static_cast<const char*>(data) + bytes);
+  auto* copy =
+      new std::vector<char>(static_cast<const char*>(data), static_cast<const char*>(data) + bytes);
   MPI_Request request = MPI_REQUEST_NULL;
   MPI_Ibcast(copy->data(), static_cast<int>(bytes), MPI_BYTE, 0, local, &request);
   wait_for(request, Deadline(1.1 * timeout_s + 1.0), "rank 0 of this program");
@@ -95,9 +95,8 @@ class Line {
   Line(MPI_Comm local, const LinkOptions& options, Hello hello)
       : local_(local), options_(options), hello_(std::move(hello)) {
     MPI_Comm_rank(local_, &rank_);
-    on_first_rank(local_, timeout_s(), [&] {
-      session_ = std::make_unique<Session>(open(), hello_, timeout_s());
-    });
+    on_first_rank(local_, timeout_s(),
+                  [&] { session_ = std::make_unique<Session>(open(), hello_, timeout_s()); });
     std::string text = session_ ? to_text(session_->peer()) : std::string();
     share_text(local_, text, timeout_s());
     peer_ = hello_from_text(text);

@@ -71,7 +71,8 @@ inline double rotation_reynolds(const FluidState& f, const ParticleState& p) {
 namespace detail {
 inline void require(bool holds, const char* what, double given, const char* allowed,
                     const char* to_do) {
-  if (!holds) throw InvalidInput(std::string("fluid force: ") + what, number_text(given), allowed, to_do);
+  if (!holds)
+    throw InvalidInput(std::string("fluid force: ") + what, number_text(given), allowed, to_do);
 }
 inline void require_positive(const char* what, double value) {
   require(value > 0.0 && std::isfinite(value), what, value, "> 0 and finite",
@@ -81,8 +82,9 @@ inline void require_share(const char* what, double value, const char* to_do) {
   require(value > 0.0 && value <= 1.0, what, value, "0 < value <= 1", to_do);
 }
 inline void require_finite(const char* what, const Vec3& value) {
-  if (!finite(value)) require(false, what, norm(value), "finite components",
-          "the solution has diverged: lower the time step or the coupling interval");
+  if (!finite(value))
+    require(false, what, norm(value), "finite components",
+            "the solution has diverged: lower the time step or the coupling interval");
 }
 }  // namespace detail
 

@@ -1,6 +1,5 @@
 # awk -v height=HEIGHT -f bed.awk: for spheres whose centre of mass rests at HEIGHT [m]: weight less
-# buoyancy per area [Pa], Ergun's drop at 0.010 m/s [Pa], minimum fluidisation [m/s], expansion of an
-# even bed at 0.020 m/s [1].
+# buoyancy per area [Pa], expansion of an even bed at 0.020 m/s [1].
 function gradient(void, u) {  # Ergun, or beyond void 0.8 not valid
   return 150*mu*(1 - void)^2*u/(void^3*d*d) + 1.75*rho*(1 - void)*u*u/(void^3*d)
 }
@@ -10,16 +9,10 @@ BEGIN {
   weight = solid*(rho_p - rho)*g
   bed = 2*height
   void = 1 - solid/bed
-  low = 0; high = 1
-  for (i = 0; i < 60; i++) {
-    u = 0.5*(low + high)
-    if (bed*gradient(void, u) < weight) low = u; else high = u
-  }
-  minimum = u
   low = void; high = 0.8
   for (i = 0; i < 60; i++) {
     v = 0.5*(low + high)
     if (gradient(v, 0.020) > (1 - v)*(rho_p - rho)*g) low = v; else high = v
   }
-  printf "%.4f %.4f %.6f %.6f\n", weight, bed*gradient(void, 0.010), minimum, (1 - void)/(1 - v)
+  printf "%.4f %.6f\n", weight, (1 - void)/(1 - v)
 }

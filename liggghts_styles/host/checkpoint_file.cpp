@@ -47,7 +47,8 @@ bool whole(const std::string& part, const std::vector<int>& doubles) {
   std::ifstream in(part, std::ios::binary | std::ios::ate);
   std::streamoff at = in.tellg();
   for (const int count : doubles) {
-    at -= static_cast<std::streamoff>(sizeof(int) + sizeof(double) * static_cast<std::size_t>(count));
+    at -=
+        static_cast<std::streamoff>(sizeof(int) + sizeof(double) * static_cast<std::size_t>(count));
   }
   for (const int count : doubles) {
     if (at < 0) return false;
@@ -55,7 +56,8 @@ bool whole(const std::string& part, const std::vector<int>& doubles) {
     in.seekg(at);
     in.read(reinterpret_cast<char*>(&there), sizeof there);
     if (!in || there != count) return false;
-    at += static_cast<std::streamoff>(sizeof(int) + sizeof(double) * static_cast<std::size_t>(count));
+    at +=
+        static_cast<std::streamoff>(sizeof(int) + sizeof(double) * static_cast<std::size_t>(count));
   }
   return true;
 }

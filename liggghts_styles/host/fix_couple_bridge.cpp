@@ -151,9 +151,8 @@ inline void FixCoupleBridge::move(int i) {
 void FixCoupleBridge::hold(int i) {
   const double drag = properties_.drag_coefficient()[i];
   for (int c = 0; c < 3; ++c) {
-    const double impulse =
-        dt_s_ * (drag * (properties_.fluid_velocity()[i][c] - atom->v[i][c]) +
-                 properties_.reacting_force()[i][c]);
+    const double impulse = dt_s_ * (drag * (properties_.fluid_velocity()[i][c] - atom->v[i][c]) +
+                                    properties_.reacting_force()[i][c]);
     properties_.reaction_impulse()[i][c] += impulse;
     impulse_[c] += impulse;
   }
@@ -199,7 +198,8 @@ void FixCoupleBridge::borrow_values(const std::vector<int>& newcomers) {
     int nearest = -1;
     double least = std::numeric_limits<double>::max();
     for (int j = 0; j < atom->nlocal; ++j) {
-      if (!(atom->mask[j] & groupbit) || step[j][FluidProperties::kState] != FluidProperties::kOwn) {
+      if (!(atom->mask[j] & groupbit) ||
+          step[j][FluidProperties::kState] != FluidProperties::kOwn) {
         continue;
       }
       double distance2 = 0.0;

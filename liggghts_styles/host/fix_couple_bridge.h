@@ -80,7 +80,7 @@ class FixCoupleBridge : public LAMMPS_NS::Fix {
   bool over_ = false;  ///< the solver has ended the coupled run
   bool spins_ = false, has_added_mass_ = false;
   bool forces_of_setup_ = false;
-  int held_ = 0;  ///< group bits of the atoms that fix freeze holds
+  int held_ = 0;       ///< group bits of the atoms that fix freeze holds
   double dt_s_ = 0.0;  ///< agreed on
   LAMMPS_NS::bigint next_exchange_ = -1;
   double exchange_s_ = 0.0;

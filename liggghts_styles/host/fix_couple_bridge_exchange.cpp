@@ -63,7 +63,8 @@ void FixCoupleBridge::check_host() const {
 
 void FixCoupleBridge::open_link() {
   bridge::LinkOptions link;
-  link.route = options_.socket ? bridge::LinkOptions::Route::socket : bridge::LinkOptions::Route::mpi;
+  link.route =
+      options_.socket ? bridge::LinkOptions::Route::socket : bridge::LinkOptions::Route::mpi;
   link.world = coupled_world();
   link.socket.address = options_.address;
   link.socket.rendezvous_file = options_.rendezvous_file;

@@ -18,19 +18,18 @@ struct Property {
   const bridge::FieldSpec* field;  ///< of the solver; null: made here
 };
 /// In the order of FluidProperties.
-const Property kProperties[] = {
-    {"fluidVelocity", 3, "0.", &fields::fluid_velocity},
-    {"fluidFraction", 1, "1.", &fields::fluid_fraction},
-    {"dragCoefficient", 1, "0.", &fields::drag_coefficient},
-    {"reactingForce", 3, "0.", &fields::reacting_force},
-    {"pressureForce", 3, "0.", &fields::pressure_force},
-    {"fluidForce", 3, "0.", nullptr},
-    {"reactionImpulse", 3, "0.", nullptr},
-    {"fluidSpin", 3, "0.", &fields::fluid_spin},
-    {"rotationalDrag", 1, "0.", &fields::rotational_drag},
-    {"fluidTorque", 3, "0.", &fields::fluid_torque},
-    {"addedMass", 1, "0.", &fields::added_mass},
-    {"couplingStep", FluidProperties::kStepColumns, "0.", nullptr}};
+const Property kProperties[] = {{"fluidVelocity", 3, "0.", &fields::fluid_velocity},
+                                {"fluidFraction", 1, "1.", &fields::fluid_fraction},
+                                {"dragCoefficient", 1, "0.", &fields::drag_coefficient},
+                                {"reactingForce", 3, "0.", &fields::reacting_force},
+                                {"pressureForce", 3, "0.", &fields::pressure_force},
+                                {"fluidForce", 3, "0.", nullptr},
+                                {"reactionImpulse", 3, "0.", nullptr},
+                                {"fluidSpin", 3, "0.", &fields::fluid_spin},
+                                {"rotationalDrag", 1, "0.", &fields::rotational_drag},
+                                {"fluidTorque", 3, "0.", &fields::fluid_torque},
+                                {"addedMass", 1, "0.", &fields::added_mass},
+                                {"couplingStep", FluidProperties::kStepColumns, "0.", nullptr}};
 
 }  // namespace
 

@@ -59,8 +59,7 @@ INSTANTIATE_TEST_SUITE_P(Routes, LinkRanks,
 class LinkRoute : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(LinkRoute, ASolverMayFinishBetweenExchanges) {
-  expect_all_say(job(2, 2, GetParam(), "finish"), 2, "stopped in round 2", 2,
-                 "finished by itself");
+  expect_all_say(job(2, 2, GetParam(), "finish"), 2, "stopped in round 2", 2, "finished by itself");
 }
 
 TEST_P(LinkRoute, AFieldThatTheDemDoesNotKnowIsRefusedOnAllRanks) {
@@ -98,8 +97,8 @@ TEST(Link, AnErrorOfOneRankIsKnownToAllOfItsProgram) {
 TEST(Link, AProgramAloneIsToldHowToCouple) {
   for (const char* launcher : {"serial", "mpirun"}) {
     const std::string line = LINK_PROGRAM " dem go mpi";
-    const Outcome run = std::string(launcher) == "serial" ? shell("timeout 20 " + line)
-                                                          : mpirun("-np 2 " + line);
+    const Outcome run =
+        std::string(launcher) == "serial" ? shell("timeout 20 " + line) : mpirun("-np 2 " + line);
     EXPECT_NE(run.status, 0);
     EXPECT_TRUE(run.says("coupling by mpi; given: a job that holds this program alone"))
         << run.output;

@@ -90,8 +90,7 @@ TEST(Mpi, ASingleProgramIsToldToStartTheOther) {
 }
 
 TEST(Mpi, AProgramThatDoesNotCoupleIsNoticedAtTheTimeout) {
-  const Outcome run =
-      mpirun(program(1, "dem", "present") + " : " + program(1, "solver", "absent"));
+  const Outcome run = mpirun(program(1, "dem", "present") + " : " + program(1, "solver", "absent"));
   EXPECT_NE(run.status, 0);
   EXPECT_LT(run.wall_s, 5.0);
   EXPECT_TRUE(run.says("waiting for the other program in this mpirun")) << run.output;

@@ -39,10 +39,9 @@ inline std::string ranks_of(int ranks, const std::string& program, const std::st
 }
 
 inline Outcome mpirun(const std::string& programs) {
-  return shell(
-      "OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 timeout 50 " BRIDGE_MPIRUN
-      " --oversubscribe --bind-to none --mca mpi_yield_when_idle 1 " +
-      programs);
+  return shell("OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 timeout 50 " BRIDGE_MPIRUN
+               " --oversubscribe --bind-to none --mca mpi_yield_when_idle 1 " +
+               programs);
 }
 
 }  // namespace powderlink::test

@@ -67,7 +67,7 @@ difference() {
     END { print (FNR == n && k) ? e/(s > 0 ? s : 1) : "other length" }' "$1" "$2"
 }
 same_fields() {  # what folder folder tolerance
-  for field in U phi p alphaf momentumBalance; do
+  for field in U phi p alphaf; do
     below "$1, $field" "$(difference "$2/$field" "$3/$field")" "$4"
   done
 }
@@ -199,7 +199,7 @@ case $test in
     echo "error of concurrent: $coarse with D, $fine with D/2"
     awk -v a="$coarse" -v b="$fine" 'BEGIN { exit !(a > 1e-5 && a/b > 1.6 && a/b < 2.6) }' ||
       failed "concurrent: errors $coarse and $fine are not of first order"
-    # The fluid fraction comes without jumps: no step's pressure stands out from its neighbours'.
+    # The fluid fraction comes without jumps: the pressure has no peak at exchanges.
     new_case ramp
     change couplingInterval 4
     cat >>system/controlDict <<'DICT'
@@ -210,10 +210,10 @@ functions
 }
 DICT
     run every=20 radius=6e-5
-    spike=$(awk '!/^#/ { v[n++] = $3 > -$2 ? $3 : -$2 } END { for (i = 8; i < n; i++) { s = 0
-      for (k = 0; k < 8; k++) s += v[i - k]/8; if (v[i]/s > w) w = v[i]/s } print n > 20 ? w : "" }' \
-      postProcessing/pressure/0/fieldMinMax.dat)
-    below "largest pressure over the mean of 8 steps" "$spike" 3
+    # The ramp's slope changes at exchanges, which one step's pressure feels: 1.6. Without a ramp it is 5.
+    peak=$(awk '!/^#/ { p = $3 > -$2 ? $3 : -$2; if (n >= 8) s[n%4 < 2] += p; n++ }
+      END { print (n > 20) ? s[1]/s[0] : "" }' postProcessing/pressure/0/fieldMinMax.dat)
+    below "pressure after exchanges over that before them" "$peak" 2.5
     ;;
   ends)
     new_case solver_first

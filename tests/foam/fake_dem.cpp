@@ -7,13 +7,13 @@
 //   exchanges=MAX fixed=0|1 state=FILE (begin with it) out=FILE die_at=N (exit without a word)
 #include <mpi.h>
 
+#include <unistd.h>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
 #include <map>
 #include <stdexcept>
-#include <unistd.h>
 
 #include "coupling/bridge/coupling_fields.h"
 #include "coupling/bridge/coupling_link.h"
@@ -198,10 +198,10 @@ int run(const Options& options, const bridge::MpiWorld& world) {
 
 int main(int argc, char** argv) {
   MPI_Init(&argc, &argv);
-  powderlink::test::Options options{
-      {"transport", "mpi"}, {"folder", "."},        {"case", "closed_box"}, {"dt", "2e-6"},
-      {"every", "10"},      {"side", "4e-3"},       {"low", "0"},           {"grid", "6"},
-      {"radius", "3e-5"},   {"exchanges", "10000"}, {"fixed", "0"},         {"out", "dem.state"}};
+  powderlink::test::Options options{{"transport", "mpi"},   {"folder", "."}, {"case", "closed_box"},
+                                    {"dt", "2e-6"},         {"every", "10"}, {"side", "4e-3"},
+                                    {"low", "0"},           {"grid", "6"},   {"radius", "3e-5"},
+                                    {"exchanges", "10000"}, {"fixed", "0"},  {"out", "dem.state"}};
   int status = 0;
   try {
     for (int i = 1; i < argc; ++i) {
@@ -210,8 +210,7 @@ int main(int argc, char** argv) {
       if (equals == std::string::npos) throw std::runtime_error("not KEY=VALUE: " + word);
       options[word.substr(0, equals)] = word.substr(equals + 1);
     }
-    status = powderlink::test::run(options,
-                                   powderlink::bridge::split_world_if_shared("dem", 20.0));
+    status = powderlink::test::run(options, powderlink::bridge::split_world_if_shared("dem", 20.0));
   } catch (const std::exception& e) {
     std::fprintf(stderr, "fake_dem: %s\n", e.what());
     std::fflush(stderr);

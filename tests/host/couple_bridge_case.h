@@ -60,8 +60,23 @@ inline std::string dump_lines(int every) {
 }
 
 /// Columns of dump_lines() behind the id.
-enum Column { kX, kY, kZ, kVx, kVy, kVz, kSpinZ, kRadius, kState, kWindX, kWindY, kDrag, kPressZ,
-              kForceX, kImpulseX };
+enum Column {
+  kX,
+  kY,
+  kZ,
+  kVx,
+  kVy,
+  kVz,
+  kSpinZ,
+  kRadius,
+  kState,
+  kWindX,
+  kWindY,
+  kDrag,
+  kPressZ,
+  kForceX,
+  kImpulseX
+};
 
 using Snapshot = std::map<long, std::vector<double>>;
 

@@ -25,7 +25,8 @@ TEST(CoupleBridgeEnds, TheSolverStopsInOrder) {
   for (const bool socket : {false, true}) {
     const LiggghtsCase c(socket ? "couple_end_solver_socket" : "couple_end_solver");
     std::string script = good_script(c, "run 100\nrun 100\n");
-    if (socket) script.replace(script.find("every 10"), 8, "every 10 transport socket rendezvous meet");
+    if (socket)
+      script.replace(script.find("every 10"), 8, "every 10 transport socket rendezvous meet");
     const Outcome o = c.couple(script, {std::string(kWind) + " stop=3", 2, 1, socket});
     EXPECT_EQ(o.status, 0) << o.output;
     EXPECT_NE(o.output.find("the solver ended the coupled run at step 30, time 3e-05 s"),
@@ -47,12 +48,13 @@ TEST(CoupleBridgeEnds, AFullDiskIsNoticedAndEarlierCheckpointsStay) {
   c.write("post/restart.0", "an earlier one");
   const std::string script = header(soft_spheres(), "spheres.data") + kGas + "run 100\n";
   // Files of more than 100 blocks of 512 bytes fail as on a full disk.
-  const Outcome o = c.couple(script, {std::string(kWind) + " checkpoint=2", 1, 1, false,
-                                      "trap '' XFSZ; ulimit -f 100"});
+  const Outcome o = c.couple(
+      script, {std::string(kWind) + " checkpoint=2", 1, 1, false, "trap '' XFSZ; ulimit -f 100"});
   EXPECT_NE(o.status, 0);
   EXPECT_LT(o.status, 124) << o.output;
-  EXPECT_NE(o.output.find("checkpoint post/restart.20; given: the disk did not take the whole file"),
-            std::string::npos)
+  EXPECT_NE(
+      o.output.find("checkpoint post/restart.20; given: the disk did not take the whole file"),
+      std::string::npos)
       << o.output;
   EXPECT_TRUE(std::filesystem::exists(c.folder() / "post/restart.0"));
   EXPECT_FALSE(std::filesystem::exists(c.folder() / "post/restart.20"));
@@ -90,7 +92,8 @@ const BadCase kBadCases[] = {
     {"keyword", "every 10", "evry 10", "", "keyword of fix couple/bridge; given: evry"},
     {"case", "every 10", "every 10 case other", "", "case name"},
     {"units", "units si", "units cgs", "", "units; given: cgs"},
-    {"two_fixes", "run 100", "fix more all couple/bridge every 10\nrun 100", "", "fix couple/bridge; given: two of them"},
+    {"two_fixes", "run 100", "fix more all couple/bridge every 10\nrun 100", "",
+     "fix couple/bridge; given: two of them"},
     {"time_step", "run 100", "run 15\ntimestep 2e-6\nrun 100", "", "time step; given: 2e-06 s"},
     {"unknown_field", "run 100", "run 100", "unknown=1", "fluid_temperature [K]"},
     {"not_a_number", "run 100", "run 100", "nan=2", "not a number for particle 2"},

@@ -139,11 +139,12 @@ Outcome LiggghtsCase::couple(const std::string& script, const Coupled& how) cons
     return " -np " + std::to_string(ranks) + " " + line;
   };
   const std::string dem = program(
-      how.dem_ranks, how.before.empty()
-                         ? "'" POWDERLINK_LAUNCHER "' -in in.script"
-                         : "sh -c \"" + how.before + "; exec '" POWDERLINK_LAUNCHER "' -in in.script\"");
-  std::string solver = program(how.solver_ranks, "'" POWDERLINK_FAKE_SOLVER "' case=" +
-                                                     folder_.filename().string() + " " + how.solver);
+      how.dem_ranks, how.before.empty() ? "'" POWDERLINK_LAUNCHER "' -in in.script"
+                                        : "sh -c \"" + how.before +
+                                              "; exec '" POWDERLINK_LAUNCHER "' -in in.script\"");
+  std::string solver =
+      program(how.solver_ranks, "'" POWDERLINK_FAKE_SOLVER "' case=" + folder_.filename().string() +
+                                    " " + how.solver);
   if (!how.socket) return execute(mpirun + dem + " :" + solver);
   solver += " socket=meet";
   write("couple.sh", mpirun + solver + " > solver.txt 2>&1 &\nsolver=$!\n" + mpirun + dem +

@@ -45,7 +45,7 @@ class LiggghtsCase {
     std::string solver = {};  ///< arguments of fake_solver beside case= and socket=
     int dem_ranks = 1;
     int solver_ranks = 1;
-    bool socket = false;   ///< two jobs instead of one
+    bool socket = false;      ///< two jobs instead of one
     std::string before = {};  ///< a shell command that changes limits of the LIGGGHTS side
   };
   /// Writes the script and runs it with the fake solver. With `socket` the status is that of LIGGGHTS,

@@ -26,8 +26,8 @@ case $test in
       [[ -n $whole && $whole == "$parts" ]] ||
         fail "column $column at 2 ms; uninterrupted: $whole; continued: $parts"
     done
-    # LIGGGHTS computes the forces of grains in contact anew at a restart, with velocities of another
-    # half step: single grains differ, and their collisions make it grow (2e-4 was measured).
+    # Not exact: 2e-4 was measured, LIGGGHTS's new forces of grains in contact are only a part of it
+    # (foam_cases/pipe/README.md). To be tightened when the restart is.
     awk -v a="$(count "$out" 0.002 8)" -v b="$(count "$out/stopped" 0.002 8)" \
       'BEGIN { exit !(a > 0 && (a - b)^2 <= (1e-3*a)^2) }' || fail "mean velocity of the grains differs"
     ;;
