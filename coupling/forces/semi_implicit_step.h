@@ -30,10 +30,13 @@ inline Vec3 implicit_euler_velocity(const Vec3& v, const Vec3& fluid, double k, 
   return sum(v, scaled(dt / (mass + dt * k), pull));
 }
 
+/// phi(x) = (1 - e^-x) / x: the mean of e^(-x s) over s in [0, 1], 1 at x = 0.
+inline double relaxation_mean(double x) { return x > 0.0 ? -std::expm1(-x) / x : 1.0; }
+
 inline Vec3 exponential_velocity(const Vec3& v, const Vec3& fluid, double k, const Vec3& force,
                                  double mass, double dt) {
   const double x = k * dt / mass;
-  const double phi = x > 0.0 ? -std::expm1(-x) / x : 1.0;
+  const double phi = relaxation_mean(x);
   const Vec3 pull = sum(force, scaled(k, difference(fluid, v)));
   return sum(v, scaled(phi * dt / mass, pull));
 }

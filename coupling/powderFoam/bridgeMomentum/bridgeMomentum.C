@@ -9,6 +9,7 @@
 #include "zeroGradientFvPatchFields.H"
 
 #include "coupling/bridge/coupling_fields.h"
+#include "coupling/forces/semi_implicit_step.h"
 
 #include <cstring>
 
@@ -345,7 +346,7 @@ void Foam::bridgeMomentum::setSource()
                 4.0/3.0*constant::mathematical::pi*pow3(particles_.radius[i])
                *particles_.density[i];
             const scalar x = K*D/mass;
-            K *= x > 0 ? -std::expm1(-x)/x : 1;
+            K *= powderlink::forces::relaxation_mean(x);
             relaxedDrag_[i] = K;
             explicitPart = K*particles_.velocity[i] - rows_.reactingForce[i];
         }
