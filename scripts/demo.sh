@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# scripts/demo.sh [OUTPUT-FOLDER]: the Kinetic Adhesion Test on real data, from study to picture.
-# 316L on UPVC and on glass (thesis), the seven drop tests of Zafar et al. with an instant and with a
-# 100 us stop: critical diameters by LIGGGHTS beside theory and measurement.
+# scripts/demo.sh [OUTPUT-FOLDER]: the main jobs on real data, from the input files to the picture.
+# Kinetic Adhesion Test: 316L on UPVC and on glass (thesis), the seven drop tests of Zafar et al. with
+# an instant and with a 100 us stop: critical diameters by LIGGGHTS beside theory and measurement.
+# Coupled job: powder in a pipe of 1.25 mm, its first 30 mm for 6 ms, LIGGGHTS and powderFoam in one mpirun.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 out=${1:-$root/results/demo}
@@ -24,10 +25,18 @@ picture=$out/pedrolli_316L_upvc/row_01/round_1
 "$bin/powderlink-render" png "$picture" -o "$out/kat.png"
 "$bin/powderlink-render" series "$picture" >/dev/null
 
+printf '\n== powder in a pipe, LIGGGHTS and OpenFOAM coupled\n'
+"$root/foam_cases/pipe/run.sh" --short --out "$out/pipe"
+"$bin/powderlink" flow "$out/pipe/case" --from 0.003 --from-z 0.01 --json "$out/pipe/flow.json"
+"$bin/powderlink-render" flow "$out/pipe/case" -o "$out/pipe.png"
+"$bin/powderlink-render" flow-series "$out/pipe/case" >/dev/null
+
 cat <<TEXT
 
-Tables      $out/*/kat.csv, kat.json
+Tables      $out/*/kat.csv, kat.json; $out/pipe/case/flow/*.csv
 Figures     $out/*/critical_diameter.svg, $out/*/row_*/round_1/residual_velocity.svg
-Picture     $out/kat.png
+            $out/pipe/case/flow/*.svg
+Pictures    $out/kat.png, $out/pipe.png
 ParaView    paraview $picture/particles.pvd   (or scripts/paraview/kat_view.py)
+            paraview $out/pipe/case/particles.pvd $out/pipe/case/case.foam   (or scripts/paraview/flow_view.py)
 TEXT
