@@ -147,6 +147,34 @@ case $test in
     worst=$(awk '/^momentum / { n++; if ($NF > w) w = $NF } END { print n == 20 ? w : "" }' log)
     below "adjusted step, closure of 20 exchanges" "$worst" 1e-10
     ;;
+  turbulent)
+    # Force laws take their stress from the model's viscosity.
+    turbulent_case() { # name
+      new_case "$1"
+      change model A
+      change forces "(schiller_naumann pressure_gradient viscous_stress)"
+      echo 'FoamFile { version 2.0; format ascii; class dictionary; object turbulenceProperties; }
+simulationType RAS; RAS { RASModel kEpsilon; turbulence on; printCoeffs off; }' >constant/turbulenceProperties
+      sed -i 's/default         none/default Gauss upwind/' system/fvSchemes
+      sed -i 's/"U\.\*"/"(U|k|epsilon).*"/' system/fvSolution
+      local name dims value
+      while read -r name value dims; do
+        echo "FoamFile { version 2.0; format ascii; class volScalarField; object $name; }
+dimensions $dims; internalField uniform $value; boundaryField { \".*\" { type cyclic; } }" >"0/$name"
+      done <<'FIELDS'
+k 0.1 [0 2 -2 0 0 0 0]
+epsilon 10 [0 2 -3 0 0 0 0]
+nut 0 [0 2 -1 0 0 0 0]
+FIELDS
+    }
+    turbulent_case serial
+    run
+    worst=$(awk '/^momentum / { if ($NF > w) w = $NF } END { print NR ? w : "" }' log)
+    below "closure" "$worst" 1e-10
+    turbulent_case ranks
+    mpi 1 2 || { tail -n 20 log >&2; failed "2 ranks"; }
+    below "2 ranks: particles" "$(difference <(velocities ../serial/dem.state) <(velocities dem.state))" 1e-8
+    ;;
   one_way)
     new_case two
     run

@@ -159,20 +159,30 @@ case $test in
   diffusion)
     # Without production and dissipation the column keeps sum(alphaf k) while k spreads; sum(k) it does
     # not keep. nut = Cmu k^2/epsilon = 0.01 m2/s, dissipated 1e-12 of k per second.
-    new_column column 16 0.05 4
-    dictionary constant/turbulenceProperties 'simulationType RAS;
+    spread() { # NAME
+      new_column "$1" 16 0.05 4
+      dictionary constant/turbulenceProperties 'simulationType RAS;
 RAS { RASModel kEpsilon; turbulence on; printCoeffs off; kEpsilonCoeffs { Cmu 1e-14; } }'
-    scalar_field alphaf '[0 0 0 0 0 0 0]' "$(wave 16 0.6 0.3 0)" '".*" { type cyclic; }'
-    scalar_field k "$dim_k" "$(wave 16 1 0.5 0.8)" '".*" { type cyclic; }'
-    scalar_field epsilon "$dim_epsilon" 'uniform 1e-12' '".*" { type cyclic; }'
+      scalar_field alphaf '[0 0 0 0 0 0 0]' "$(wave 16 0.6 0.3 0)" '".*" { type cyclic; }'
+      scalar_field k "$dim_k" "$(wave 16 1 0.5 0.8)" '".*" { type cyclic; }'
+      scalar_field epsilon "$dim_epsilon" 'uniform 1e-12' '".*" { type cyclic; }'
+    }
     sums() { paste <(numbers 0/alphaf internal) <(numbers "$1/k" internal) |
       awk '{ a += $1*$2; b += $2 } END { printf "%.12g %.12g\n", a, b }'; }
+    spread closed
     solve
     read -r held plain < <(sums 0)
     read -r held_end plain_end < <(sums 4)
     within "sum of alphaf k" "$held_end" "$held" 1e-9
     echo "sum of k: $plain, then $plain_end"
     awk -v a="$plain" -v b="$plain_end" 'BEGIN { exit !(b/a < 0.95 || b/a > 1.05) }' || failed "k did not spread"
+    # fvOptions act per volume of cell: 0.1 m2/s3 in each of 16 cells for 4 s.
+    spread source
+    dictionary system/fvOptions 'sourceOfK { type scalarSemiImplicitSource; selectionMode all;
+volumeMode specific; injectionRateSuSp { k (0.1 0); } }'
+    solve
+    read -r held_end _ < <(sums 4)
+    within "sum of alphaf k with a source" "$held_end" "$(awk -v a="$held" 'BEGIN { printf "%.12g", a + 16*0.1*4 }')" 1e-9
     ;;
   decay)
     # Homogeneous turbulence of kEpsilon in any alphaf(x): k = k0 (1 + (C2 - 1) eps0 t/k0)^(-1/(C2 - 1)).
