@@ -2,8 +2,6 @@
 
 #include "cellPointFluidInterpolation.H"
 #include "addToRunTimeSelectionTable.H"
-#include "pointFields.H"
-#include "volPointInterpolation.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -104,13 +102,8 @@ Foam::cellPointFluidInterpolation::interpolateField
     const GeometricField<Type, fvPatchField, volMesh>& field
 ) const
 {
-    typedef GeometricField<Type, pointPatchField, pointMesh> pointFieldType;
-
-    const tmp<pointFieldType> tatPoints
-    (
-        volPointInterpolation::New(mesh_).interpolate(field)
-    );
-    const Field<Type>& atPoints = tatPoints().primitiveField();
+    const tmp<Field<Type>> tatPoints(pointValues_.interpolate(field));
+    const Field<Type>& atPoints = tatPoints();
 
     tmp<Field<Type>> tvalues(new Field<Type>(cells_.size()));
     Field<Type>& values = tvalues.ref();
@@ -149,7 +142,8 @@ Foam::cellPointFluidInterpolation::cellPointFluidInterpolation
     const fvMesh& mesh
 )
 :
-    fluidInterpolation(mesh)
+    fluidInterpolation(mesh),
+    pointValues_(mesh)
 {
     // Made now because all ranks are needed for it
     mesh_.tetBasePtIs();

@@ -23,8 +23,8 @@ Description
     and 1 in model B (pressure gradient in the fluid only). Su and Sp come from
     a particleMomentum model and, like fvOptions, are per volume of cell.
 
-    The turbulence model is one of OpenFOAM's for a single phase. It closes
-    the stress with its nuEff; its own transport equations do not see alphaf.
+    The turbulence model is one of OpenFOAM's, with alphaf in its transport
+    equations (alphafTurbulenceModel.H).
 
     Required fields: U, p and what the turbulence model needs.
     Optional: alphaf (1 when absent), constant/couplingProperties.
@@ -37,7 +37,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "fvCFD.H"
 #include "singlePhaseTransportModel.H"
-#include "turbulentTransportModel.H"
+#include "alphafTurbulenceModel.H"
 #include "pimpleControl.H"
 #include "fvOptions.H"
 #include "couplingProperties.H"

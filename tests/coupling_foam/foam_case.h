@@ -13,9 +13,10 @@ namespace powderlink::foam_test {
 
 const Foam::fvMesh& mesh();
 const Foam::cellLocator& locator();
-/// The case is the cube of 24 x 24 x 24 cells of 1 mm, periodic in z; else it is the
-/// pipe with its O-grid.
+/// The case is the cube of 24 x 24 x 24 cells of 1 mm, periodic in z; the box of 6 x 8 x 10
+/// cells of 1 mm, periodic in all directions; else it is the pipe with its O-grid.
 bool on_cube();
+bool on_box();
 
 /// Cube root of the mean volume of a cell [m].
 double cell_size();

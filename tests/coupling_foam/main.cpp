@@ -46,6 +46,8 @@ const Foam::fvMesh& mesh() { return *the_mesh; }
 const Foam::cellLocator& locator() { return *the_locator; }
 bool on_cube() { return mesh().time().globalCaseName() == "cube"; }
 
+bool on_box() { return mesh().time().globalCaseName() == "box"; }
+
 double cell_size() { return the_cell_size; }
 
 Foam::pointField random_points(int n, int seed) {

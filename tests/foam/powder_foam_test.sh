@@ -191,39 +191,6 @@ DICT
     close_to "Courant number" "$largest" 0.5 0.25
     [[ -f 0.0002/alphaf && -f 0.0002/U ]] || failed "no fields at the end time"
     ;;
-  turbulence)
-    field() {  # name dimensions value wall-type
-      cat >"0/$1" <<FIELD
-FoamFile { version 2.0; format ascii; class volScalarField; object $1; }
-dimensions $2;
-internalField uniform $3;
-boundaryField
-{
-    inlet  { type fixedValue; value uniform $3; }
-    outlet { type zeroGradient; }
-    wall   { type $4; value uniform $3; }
-}
-FIELD
-    }
-    for model in kEpsilon kOmegaSST; do
-      new_case "$model"; fluid_fraction 0.9
-      field k '[0 2 -2 0 0 0 0]' 0.4 kqRWallFunction
-      field epsilon '[0 2 -3 0 0 0 0]' 500 epsilonWallFunction
-      field omega '[0 0 -1 0 0 0 0]' 14000 omegaWallFunction
-      field nut '[0 2 -1 0 0 0 0]' 0 nutkWallFunction
-      sed -i '/^    inlet/s/fixedValue/calculated/; /^    outlet/s/zeroGradient/calculated; value uniform 0/' 0/nut
-      sed -i "s/^simulationType.*/simulationType RAS; RAS { RASModel $model; turbulence on; printCoeffs off; }/" \
-        constant/turbulenceProperties
-      sed -i 's/default         none;/default         Gauss upwind;/' system/fvSchemes
-      printf 'wallDist { method meshWave; }\n' >>system/fvSchemes
-      sed -i 's/"U\.\*"/"(U|k|epsilon|omega).*"/' system/fvSolution
-      solve
-      [[ $(grep -c '^Time = ' log) == 10 ]] || failed "$model: not all steps"
-      grep -q "$model" log || failed "$model: not selected"
-      [[ -f 0.0002/k && -f 0.0002/nut ]] || failed "$model: no fields written"
-      close_to "$model, velocity" "$(probe U 3)" 10 0.3
-    done
-    ;;
   bad_input)
     refused() {  # what, texts that the message must hold
       local what=$1 code=0
