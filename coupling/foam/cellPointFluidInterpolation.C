@@ -39,8 +39,26 @@ Foam::cellPointFluidInterpolation::findTetrahedron
     tetrahedron best{{0, 0, 0}, {0, 0, 0}};
     scalar bestLeast = -GREAT;
 
-    for (const label facei : mesh_.cells()[celli])
+    // The ray from the centre through the position leaves the cell through
+    // this face: nearly always one of its tetrahedra is the right one
+    const cell& faces = mesh_.cells()[celli];
+    label exit = 0;
+    scalar largest = -GREAT;
+    forAll(faces, i)
     {
+        const vector& S = mesh_.faceAreas()[faces[i]];
+        const scalar along =
+            (r & S)/stabilise((mesh_.faceCentres()[faces[i]] - centre) & S, VSMALL);
+        if (along > largest)
+        {
+            largest = along;
+            exit = i;
+        }
+    }
+
+    forAll(faces, n)
+    {
+        const label facei = faces[n == 0 ? exit : n == exit ? 0 : n];
         const face& f = mesh_.faces()[facei];
         const label base = max(label(0), basePoints[facei]);
         const vector a(points[f[base]] - centre);

@@ -126,9 +126,10 @@ void Foam::momentumAccount::startInterval
     countImpulses();
     path_ = Zero;
 
-    // Per particle: K' (explicit: K), K' v - F, -J
-    constexpr label nValues = 7;
-    scalarField values(nValues*n);
+    // Per particle: K' (explicit: K), K' v - F, -J; the last is for the width
+    // that smoothing likes
+    constexpr label nValues = 8;
+    scalarField values(nValues*n, Zero);
     relaxedDrag_.setSize(n);
     relaxedDrag_ = 0;
     for (label i = 0; i < n; ++i)
@@ -156,8 +157,24 @@ void Foam::momentumAccount::startInterval
         }
     }
 
-    scalarField densities;
-    voidFraction_.deposit(nValues, values, densities);
+    scalarField densities(nValues*mesh_.nCells(), Zero);
+    voidFraction_.place(nValues, values, densities);
+
+    // A first exchange without a run before has no interval to settle
+    const bool settles = clock_.nExchanges() > 0 || isRestart_;
+    forAll(balance_, celli)
+    {
+        scalar* d = &densities[nValues*celli];
+        if (settles)
+        {
+            balance_[celli] += vector(d[4], d[5], d[6])/rho;
+        }
+        for (direction k = 0; k < 3; ++k)
+        {
+            d[4 + k] = rho*balance_[celli][k];
+        }
+    }
+    voidFraction_.smooth(nValues, densities);
 
     if (!settings_.semiImplicit)
     {
@@ -169,17 +186,12 @@ void Foam::momentumAccount::startInterval
         checkExplicit(drag);
     }
 
-    // A first exchange without a run before has no interval to settle
-    const bool settles = clock_.nExchanges() > 0 || isRestart_;
     forAll(Su, celli)
     {
         const scalar* d = &densities[nValues*celli];
-        if (settles)
-        {
-            balance_[celli] += vector(d[4], d[5], d[6])/rho;
-        }
         Sp[celli] = settings_.semiImplicit ? -d[0]/rho : 0;
-        Su[celli] = vector(d[1], d[2], d[3])/rho + balance_[celli]/D;
+        Su[celli] =
+            (vector(d[1], d[2], d[3]) + vector(d[4], d[5], d[6])/D)/rho;
     }
 }
 
@@ -211,17 +223,29 @@ void Foam::momentumAccount::endInterval(const fluidForces::forceRows& rows)
     const vectorField& path = tpath();
     const scalar D = clock_.interval();
 
-    vectorField given(particles_.size(), Zero);
+    constexpr label nValues = vector::nComponents;
+    scalarField given(nValues*particles_.size(), Zero);
     if (settings_.semiImplicit)
     {
-        forAll(given, i)
+        forAll(path, i)
         {
-            given[i] =
+            const vector I =
                 relaxedDrag_[i]*(path[i] - D*particles_.velocity()[i])
               + D*rows.reactingForce[i];
+            for (direction d = 0; d < nValues; ++d)
+            {
+                given[nValues*i + d] = I[d];
+            }
         }
     }
-    balance_.field() = voidFraction_.deposit(given)/settings_.fluid.rho;
+    // Smoothed together with the impulses, at the next exchange
+    scalarField densities(nValues*mesh_.nCells(), Zero);
+    voidFraction_.place(nValues, given, densities);
+    forAll(balance_, celli)
+    {
+        const scalar* d = &densities[nValues*celli];
+        balance_[celli] = vector(d[0], d[1], d[2])/settings_.fluid.rho;
+    }
 }
 
 
