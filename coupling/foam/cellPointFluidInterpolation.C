@@ -42,13 +42,12 @@ Foam::cellPointFluidInterpolation::findTetrahedron
     // The ray from the centre through the position leaves the cell through
     // this face: nearly always one of its tetrahedra is the right one
     const cell& faces = mesh_.cells()[celli];
+    const vector* const gradients = &gradients_[starts_[celli]];
     label exit = 0;
     scalar largest = -GREAT;
     forAll(faces, i)
     {
-        const vector& S = mesh_.faceAreas()[faces[i]];
-        const scalar along =
-            (r & S)/stabilise((mesh_.faceCentres()[faces[i]] - centre) & S, VSMALL);
+        const scalar along = r & gradients[i];
         if (along > largest)
         {
             largest = along;
@@ -171,6 +170,21 @@ Foam::cellPointFluidInterpolation::cellPointFluidInterpolation
 {
     // Made now because all ranks are needed for it
     mesh_.tetBasePtIs();
+
+    starts_.setSize(mesh_.nCells());
+    DynamicList<vector> gradients(2*mesh_.nFaces());
+    forAll(mesh_.cells(), celli)
+    {
+        starts_[celli] = gradients.size();
+        const point& centre = mesh_.cellCentres()[celli];
+        for (const label facei : mesh_.cells()[celli])
+        {
+            const vector& S = mesh_.faceAreas()[facei];
+            const scalar height = (mesh_.faceCentres()[facei] - centre) & S;
+            gradients.append(S/stabilise(height, VSMALL));
+        }
+    }
+    gradients_.transfer(gradients);
 }
 
 
