@@ -3,6 +3,7 @@
 # ms of pipe case A from the filled state, powderlink against stock DPMFoam and MP-PIC on two ranks,
 # with the same mesh, gas, grains (positions, velocities, diameters) and pressure solver.
 #   powderlink  2 ms of warm-up, then 2 ms; each 5000 DEM steps
+#   CPU         of the fluid's program on its first rank, waiting for other ranks included
 #   stock       2 steps of warm-up, then N steps (default 10; MP-PIC 4 N) of 5 us; extrapolated to 1 ms
 # MPPICFoam: 'build' (default) compiles it again (build_mppic.sh), as the packaged one diverges here.
 set -euo pipefail
@@ -45,7 +46,15 @@ memory() {  # file, program
 }
 
 table=()
-row() { table+=("$(printf '%-14s %-16s %14s %8s %14s %10s' "$@")"); }
+row() { table+=("$(printf '%-14s %-16s %14s %8s %14s %14s %10s' "$@")"); }
+
+cpu_s_per_ms() {  # log, from s, to s: by the fluid's program
+  sed -E 's/^[0-9.]+ Time =/Time =/' "$1" | awk -v from="$2" -v to="$3" '
+    $1 == "Time" { time = $3 }
+    $1 == "ExecutionTime" && time <= from*(1 + 1e-9) { a = $3; start = time }
+    $1 == "ExecutionTime" && time <= to*(1 + 1e-9) { b = $3; end = time }
+    END { if (end > start) printf "%.3g", (b - a)*1e-3/(end - start); else print "-" }'
+}
 
 powderlink() {
   watch_memory "$work/powderlink/case" "$work/memory" &
@@ -61,6 +70,7 @@ powderlink() {
     "$work/powderlink/case/log.liggghts")
   share=$(sed -n -E 's/.*coupling share[^0-9]*([0-9.]+) *%.*/\1/p' "$work/powderlink/case/log.powderFoam" | tail -n 1)
   row "powderlink" "${layout%+*} DEM + ${layout#*+} CFD" "$own_s" 1 \
+    "$(cpu_s_per_ms "$work/powderlink/case/log.powderFoam" 0.002 0.004)" \
     "$(memory "$work/memory" liggghts-powder)+$(memory "$work/memory" powderFoam)" "${share:--}"
 }
 
@@ -113,6 +123,7 @@ stock() {  # name, program, steps
   wall=$(awk -v dt="$stock_dt_s" '$2 == "End" || $2 == "Time" { t[++n] = $1 }
     END { printf "%.1f", (t[n] - t[3])/(n - 3)*1e-3/dt }' log.solver)
   row "$1" "$stock_ranks" "$wall" "$(awk "BEGIN { printf \"%.0f\", $wall/$own_s }")" \
+    "$(cpu_s_per_ms log.solver "$(awk "BEGIN { print 2*$stock_dt_s }")" 1)" \
     "$(memory memory "$(basename "$2")")" -
 }
 
@@ -124,5 +135,6 @@ if [[ $mppic != no ]]; then
   echo "MPPICFoam, $((4*steps + 2)) steps..." >&2
   stock MPPICFoam "$mppic" $((4*steps))
 fi
-printf '%-14s %-16s %14s %8s %14s %10s\n' solver ranks "wall s per ms" ratio "MB/process" "coupling %"
+printf '%-14s %-16s %14s %8s %14s %14s %10s\n' solver ranks "wall s per ms" ratio "CPU s per ms" \
+  "MB/process" "coupling %"
 printf '%s\n' "${table[@]}"

@@ -198,8 +198,18 @@ Foam::label Foam::cellLocator::search
         return inNoCell;
     }
 
-    const label celli =
-        walk(position, hint >= 0 ? hint : seeds_[voxel(position)], tolerance);
+    // A hint may be of another particle, far away
+    label start = seeds_[voxel(position)];
+    const vectorField& centres = mesh_.cellCentres();
+    if
+    (
+        hint >= 0
+     && magSqr(position - centres[hint]) < magSqr(position - centres[start])
+    )
+    {
+        start = hint;
+    }
+    const label celli = walk(position, start, tolerance);
 
     return celli == notKnown ? mesh_.cellTree().findInside(position) : celli;
 }

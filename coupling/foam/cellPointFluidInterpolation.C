@@ -37,8 +37,25 @@ Foam::cellPointFluidInterpolation::findTetrahedron
     tetrahedron best{{0, 0, 0}, {0, 0, 0}};
     scalar bestLeast = -GREAT;
 
-    for (const label facei : mesh_.cells()[celli])
+    // The ray from the centre through the position leaves the cell through
+    // this face: nearly always one of its tetrahedra is the right one
+    const cell& faces = mesh_.cells()[celli];
+    const vector* const gradients = &gradients_[starts_[celli]];
+    label exit = 0;
+    scalar largest = -GREAT;
+    forAll(faces, i)
     {
+        const scalar along = r & gradients[i];
+        if (along > largest)
+        {
+            largest = along;
+            exit = i;
+        }
+    }
+
+    forAll(faces, n)
+    {
+        const label facei = faces[n == 0 ? exit : n == exit ? 0 : n];
         const face& f = mesh_.faces()[facei];
         const label base = max(label(0), basePoints[facei]);
         const vector a(points[f[base]] - centre);
@@ -147,6 +164,21 @@ Foam::cellPointFluidInterpolation::cellPointFluidInterpolation
 {
     // Made now because all ranks are needed for it
     mesh_.tetBasePtIs();
+
+    starts_.setSize(mesh_.nCells());
+    DynamicList<vector> gradients(2*mesh_.nFaces());
+    forAll(mesh_.cells(), celli)
+    {
+        starts_[celli] = gradients.size();
+        const point& centre = mesh_.cellCentres()[celli];
+        for (const label facei : mesh_.cells()[celli])
+        {
+            const vector& S = mesh_.faceAreas()[facei];
+            const scalar height = (mesh_.faceCentres()[facei] - centre) & S;
+            gradients.append(S/stabilise(height, VSMALL));
+        }
+    }
+    gradients_.transfer(gradients);
 }
 
 

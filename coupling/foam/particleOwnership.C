@@ -121,9 +121,11 @@ void Foam::particleOwnership::update(const UList<point>& positions)
     DynamicList<label> stay(nReceived_);
     DynamicList<label> cells(nReceived_);
     DynamicList<label> leftover;
+    hints_.setSize(nReceived_, -1);
     forAll(positions, i)
     {
-        const label celli = locator_.find(positions[i]);
+        const label celli = locator_.find(positions[i], hints_[i]);
+        hints_[i] = celli;
         if (celli >= 0)
         {
             stay.append(i);

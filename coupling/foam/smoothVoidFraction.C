@@ -96,17 +96,46 @@ void Foam::smoothVoidFraction::addCoupling
 }
 
 
+void Foam::smoothVoidFraction::setRows(const scalarField& conductance)
+{
+    const labelUList& owner = mesh_.owner();
+    const labelUList& neighbour = mesh_.neighbour();
+
+    starts_ = labelList(mesh_.nCells() + 1, Zero);
+    forAll(neighbour, facei)
+    {
+        ++starts_[owner[facei] + 1];
+        ++starts_[neighbour[facei] + 1];
+    }
+    for (label celli = 0; celli < mesh_.nCells(); ++celli)
+    {
+        starts_[celli + 1] += starts_[celli];
+    }
+
+    neighbours_.setSize(starts_.last());
+    coefficients_.setSize(starts_.last());
+    labelList next(starts_);
+    forAll(neighbour, facei)
+    {
+        const label own = next[owner[facei]]++;
+        const label other = next[neighbour[facei]]++;
+        neighbours_[own] = neighbour[facei];
+        neighbours_[other] = owner[facei];
+        coefficients_[own] = conductance[facei];
+        coefficients_[other] = conductance[facei];
+    }
+}
+
+
 template<int N>
 void Foam::smoothVoidFraction::sweep
 (
-    const label n,
-    UList<scalar>& densities,
-    UList<scalar>& gains
+    const UList<scalar>& old,
+    UList<scalar>& densities
 ) const
 {
-    const label width = N > 0 ? N : n;
-    const scalar* const density = densities.cdata();
-    scalar* const gain = gains.data();
+    const scalar* const density = old.cdata();
+    scalar* const result = densities.data();
 
     // Own side of the faces that are shared with other ranks
     const label startOfRequests = Pstream::nRequests();
@@ -119,7 +148,7 @@ void Foam::smoothVoidFraction::sweep
         {
             continue;
         }
-        received[i].setSize(width*c.cells.size());
+        received[i].setSize(N*c.cells.size());
         UIPstream::read
         (
             Pstream::commsTypes::nonBlocking,
@@ -136,12 +165,12 @@ void Foam::smoothVoidFraction::sweep
         {
             continue;
         }
-        sent[i].setSize(width*c.cells.size());
+        sent[i].setSize(N*c.cells.size());
         forAll(c.cells, facei)
         {
-            for (label k = 0; k < width; ++k)
+            for (label k = 0; k < N; ++k)
             {
-                sent[i][facei*width + k] = density[c.cells[facei]*width + k];
+                sent[i][facei*N + k] = density[c.cells[facei]*N + k];
             }
         }
         UOPstream::write
@@ -154,20 +183,30 @@ void Foam::smoothVoidFraction::sweep
         );
     }
 
-    gains = 0;
-    const label* const owner = mesh_.owner().cdata();
-    const label* const neighbour = mesh_.neighbour().cdata();
-    forAll(coefficients_, facei)
+    // Rows and not faces: every cell is written once, in order
+    const label* const start = starts_.cdata();
+    const label* const neighbour = neighbours_.cdata();
+    const scalar* const coefficient = coefficients_.cdata();
+    forAll(rV_, celli)
     {
-        const label own = owner[facei]*width;
-        const label other = neighbour[facei]*width;
-        const scalar coefficient = coefficients_[facei];
-        for (label k = 0; k < width; ++k)
+        scalar own[N];
+        scalar gain[N];
+        for (label k = 0; k < N; ++k)
         {
-            const scalar flow =
-                coefficient*(density[other + k] - density[own + k]);
-            gain[own + k] += flow;
-            gain[other + k] -= flow;
+            own[k] = density[celli*N + k];
+            gain[k] = 0;
+        }
+        for (label i = start[celli]; i < start[celli + 1]; ++i)
+        {
+            const scalar* const other = density + neighbour[i]*N;
+            for (label k = 0; k < N; ++k)
+            {
+                gain[k] += coefficient[i]*(other[k] - own[k]);
+            }
+        }
+        for (label k = 0; k < N; ++k)
+        {
+            result[celli*N + k] = own[k] + rV_[celli]*gain[k];
         }
     }
 
@@ -180,23 +219,33 @@ void Foam::smoothVoidFraction::sweep
         {
             const scalar* const other =
                 here
-              ? density + c.otherCells[facei]*width
-              : received[i].cdata() + facei*width;
-            const label own = c.cells[facei]*width;
-            for (label k = 0; k < width; ++k)
+              ? density + c.otherCells[facei]*N
+              : received[i].cdata() + facei*N;
+            const label own = c.cells[facei]*N;
+            const scalar share = rV_[c.cells[facei]]*c.coefficients[facei];
+            for (label k = 0; k < N; ++k)
             {
-                gain[own + k] +=
-                    c.coefficients[facei]*(other[k] - density[own + k]);
+                result[own + k] += share*(other[k] - density[own + k]);
             }
         }
     }
+}
 
-    forAll(rV_, celli)
+
+template<int N>
+void Foam::smoothVoidFraction::sweeps(UList<scalar>& densities) const
+{
+    scalarField other(densities.size());
+    UList<scalar> from(densities);
+    UList<scalar> to(other);
+    for (label i = 0; i < nSweeps_; ++i)
     {
-        for (label k = 0; k < width; ++k)
-        {
-            densities[celli*width + k] += rV_[celli]*gain[celli*width + k];
-        }
+        sweep<N>(from, to);
+        from.swap(to);
+    }
+    if (nSweeps_ % 2)
+    {
+        densities.deepCopy(other);
     }
 }
 
@@ -209,18 +258,36 @@ void Foam::smoothVoidFraction::spread
     UList<scalar>& densities
 ) const
 {
-    scalarField gains(densities.size());
-    for (label i = 0; i < nSweeps_; ++i)
+    // A width that is known to the compiler: the next larger one of these
+    switch (n)
     {
-        // The widths that the coupling uses are compiled as such
-        switch (n)
+        case 1: sweeps<1>(densities); return;
+        case 4: sweeps<4>(densities); return;
+        case 8: sweeps<8>(densities); return;
+    }
+
+    constexpr label widest = 8;
+    scalarField some;
+    for (label first = 0; first < n; first += widest)
+    {
+        const label nHere = min(n - first, widest);
+        const label width = nHere == 1 ? 1 : nHere <= 4 ? 4 : widest;
+        some.setSize(width*rV_.size());
+        some = 0;
+        forAll(rV_, celli)
         {
-            case 1: sweep<1>(n, densities, gains); break;
-            case 3: sweep<3>(n, densities, gains); break;
-            case 4: sweep<4>(n, densities, gains); break;
-            case 7: sweep<7>(n, densities, gains); break;
-            case 8: sweep<8>(n, densities, gains); break;
-            default: sweep<0>(n, densities, gains); break;
+            for (label k = 0; k < nHere; ++k)
+            {
+                some[celli*width + k] = densities[celli*n + first + k];
+            }
+        }
+        spread(width, some);
+        forAll(rV_, celli)
+        {
+            for (label k = 0; k < nHere; ++k)
+            {
+                densities[celli*n + first + k] = some[celli*width + k];
+            }
         }
     }
 }
@@ -259,7 +326,7 @@ Foam::smoothVoidFraction::smoothVoidFraction
         dimensionedScalar("Dt", dimArea, Dt)
        *mesh_.magSf()*mesh_.nonOrthDeltaCoeffs()
     );
-    coefficients_ = conductance.primitiveField();
+    setRows(conductance.primitiveField());
     for (const fvPatch& patch : mesh_.boundary())
     {
         addCoupling(patch, conductance);
@@ -267,10 +334,12 @@ Foam::smoothVoidFraction::smoothVoidFraction
 
     // What would leave each cell at once
     scalarField leaving(mesh_.nCells(), Zero);
-    forAll(coefficients_, facei)
+    forAll(leaving, celli)
     {
-        leaving[mesh_.owner()[facei]] += coefficients_[facei];
-        leaving[mesh_.neighbour()[facei]] += coefficients_[facei];
+        for (label i = starts_[celli]; i < starts_[celli + 1]; ++i)
+        {
+            leaving[celli] += coefficients_[i];
+        }
     }
     for (const coupling& c : couplings_)
     {

@@ -229,17 +229,30 @@ void Foam::voidFraction::deposit
 {
     densities.setSize(n*mesh_.nCells());
     densities = 0;
-    share(n, values, densities);
+    place(n, values, densities);
+    spread(n, densities);
+}
+
+
+void Foam::voidFraction::place
+(
+    const label n,
+    const UList<scalar>& values,
+    UList<scalar>& densities
+) const
+{
+    scalarField amounts(densities.size(), Zero);
+    share(n, values, amounts);
 
     const scalarField& V = mesh_.V();
     forAll(V, celli)
     {
-        for (label k = 0; k < n; ++k)
+        const scalar rV = 1/V[celli];
+        for (label k = celli*n; k < (celli + 1)*n; ++k)
         {
-            densities[celli*n + k] /= V[celli];
+            densities[k] += rV*amounts[k];
         }
     }
-    spread(n, densities);
 }
 
 

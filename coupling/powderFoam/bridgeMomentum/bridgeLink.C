@@ -82,29 +82,43 @@ static bridge::LinkOptions readOptions(const dictionary& dict)
 } // End namespace Foam
 
 
-// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::wordList Foam::bridgeLink::optionalEntries()
+void Foam::bridgeLink::stop(const std::exception& error)
 {
-    return wordList({"transport", "socket", "timeout", "caseName"});
+    if (link_)
+    {
+        link_->fail(error.what());
+    }
+    FatalErrorInFunction
+        << "the link to the program of the particles failed at time "
+        << time_.timeName() << " s" << nl
+        << "    " << error.what() << nl
+        << exit(FatalError);
+    std::abort();
 }
 
 
-std::unique_ptr<bridge::SolverLink> Foam::bridgeLink::open
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::bridgeLink::bridgeLink
 (
     const dictionary& dict,
-    const word& defaultCaseName,
+    const Time& time,
     const std::vector<bridge::FieldSpec>& needs,
     const std::vector<bridge::FieldSpec>& offers,
     const scalar interval,
     const rankMap& map
 )
+:
+    time_(time)
 {
     const bridge::LinkOptions options = readOptions(dict);
 
     bridge::Hello hello;
     hello.role = "solver";
-    hello.case_name = dict.lookupOrDefault<word>("caseName", defaultCaseName);
+    hello.case_name =
+        dict.lookupOrDefault<word>("caseName", time.globalCaseName());
     hello.ranks = Pstream::nProcs();
     hello.exchange_interval_s = interval;
     hello.needs = needs;
@@ -120,10 +134,55 @@ std::unique_ptr<bridge::SolverLink> Foam::bridgeLink::open
         << hello.case_name.c_str() << ", at most " << options.timeout_s
         << " s" << endl;
 
-    return std::make_unique<bridge::SolverLink>
-    (
-        options.world.local, options, hello, voxels
-    );
+    try
+    {
+        link_ = std::make_unique<bridge::SolverLink>
+        (
+            options.world.local, options, hello, voxels
+        );
+    }
+    catch (const std::exception& e)
+    {
+        stop(e);
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::wordList Foam::bridgeLink::optionalEntries()
+{
+    return wordList({"transport", "socket", "timeout", "caseName"});
+}
+
+
+bool Foam::bridgeLink::receiveParticles()
+{
+    try
+    {
+        return link_->receive_particles();
+    }
+    catch (const std::exception& e)
+    {
+        stop(e);
+    }
+}
+
+
+void Foam::bridgeLink::sendValues
+(
+    const bridge::SolverWord& word,
+    const std::vector<bridge::ColumnView>& columns
+)
+{
+    try
+    {
+        link_->send_values(word, columns);
+    }
+    catch (const std::exception& e)
+    {
+        stop(e);
+    }
 }
 
 

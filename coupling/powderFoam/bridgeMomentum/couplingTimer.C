@@ -40,7 +40,7 @@ void Foam::couplingTimer::report() const
     const scalar coupling =
         seconds_[search] + seconds_[sharing] + seconds_[forces]
       + seconds_[exchange];
-    const scalar all = coupling + seconds_[fluid] + seconds_[wait];
+    const scalar all = coupling + seconds_[fluid];
 
     print("of the run", seconds_);
     Info<< "coupling share: " << 100*coupling/max(all, VSMALL) << " %" << nl

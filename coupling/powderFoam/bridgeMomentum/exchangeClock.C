@@ -97,7 +97,8 @@ Foam::exchangeClock::exchangeClock
     time_(time),
     interval_(interval(time, coupling)),
     nExchanges_(0),
-    start_(time.value())
+    start_(time.value()),
+    offset_(0)
 {
     checkWriteTimes();
 }
@@ -115,6 +116,35 @@ Foam::scalar Foam::exchangeClock::remaining() const
 Foam::scalar Foam::exchangeClock::share() const
 {
     return min(1 - remaining()/interval_, scalar(1));
+}
+
+
+void Foam::exchangeClock::check(const scalar otherTime)
+{
+    const scalar offset = otherTime - time_.value();
+    if (nExchanges_ == 0)
+    {
+        offset_ = offset;
+        if (mag(offset) > roundOff*interval_)
+        {
+            Info<< "The particles' time is ours plus " << offset << " s"
+                << endl;
+        }
+        return;
+    }
+    // A hundredth of an interval: far above round-off, far below a step
+    if (mag(offset - offset_) > 0.01*interval_)
+    {
+        FatalErrorInFunction
+            << "the clocks of the two programs go apart" << nl
+            << "    given:   particles at " << otherTime
+            << " s, fluid at " << time_.value() << " s" << nl
+            << "    allowed: a constant difference, " << offset_ << " s"
+            << nl
+            << "    to do:   do not change the time step of a program during"
+            << " a coupled run" << nl
+            << exit(FatalError);
+    }
 }
 
 

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "bridgeSettings.H"
+#include "bridgeLink.H"
+#include "dictionaryChecks.H"
+#include "uniformDimensionedFields.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::fluidForces::fluidProperties Foam::bridgeSettings::readFluid
+(
+    const fvMesh& mesh,
+    const couplingProperties& coupling
+)
+{
+    const auto& transport =
+        mesh.lookupObject<IOdictionary>("transportProperties");
+
+    for (const word name : {"rho", "nu"})
+    {
+        if (!transport.found(name))
+        {
+            dictionaryChecks::badValue
+            (
+                transport,
+                name,
+                "missing",
+                "density rho [kg/m3] and kinematic viscosity nu [m2/s] of"
+                " the fluid",
+                "add them: forces on particles need them"
+            );
+        }
+    }
+
+    const uniformDimensionedVectorField g
+    (
+        IOobject
+        (
+            "g",
+            mesh.time().constant(),
+            mesh,
+            IOobject::READ_IF_PRESENT,
+            IOobject::NO_WRITE,
+            false
+        ),
+        dimensionedVector(dimAcceleration, Zero)
+    );
+
+    fluidForces::fluidProperties properties;
+    properties.rho = dimensionedScalar("rho", dimDensity, transport).value();
+    properties.nu =
+        dimensionedScalar("nu", dimViscosity, transport).value();
+    properties.g = g.value();
+    properties.modelA = coupling.pressureShared();
+    return properties;
+}
+
+
+bool Foam::bridgeSettings::differs
+(
+    const dictionary& dict,
+    const word& keyword,
+    const word& usual,
+    const word& other
+)
+{
+    return
+        dict.found(keyword)
+     && dictionaryChecks::getWord(dict, keyword, {usual, other}) == other;
+}
+
+
+void Foam::bridgeSettings::check() const
+{
+    wordList optional
+    ({
+        "coupling", "schedule", "momentumExchange", "minFluidFraction"
+    });
+    optional.append(bridgeLink::optionalEntries());
+    optional.append(fluidForces::optionalEntries());
+    dictionaryChecks::checkEntries
+    (
+        dict,
+        {"type", "transport", "voidFraction", "interpolation", "forces"},
+        optional
+    );
+
+    if (!(minFluidFraction > 0 && minFluidFraction < 1))
+    {
+        dictionaryChecks::badValue
+        (
+            dict,
+            "minFluidFraction",
+            Foam::name(minFluidFraction),
+            "above 0, below 1"
+        );
+    }
+
+    if
+    (
+        dict.get<wordList>("forces").found("buoyancy")
+     && mag(fluid.g) < VSMALL
+    )
+    {
+        dictionaryChecks::badValue
+        (
+            dict,
+            "forces",
+            "buoyancy, and no gravity",
+            "buoyancy with constant/g",
+            "write constant/g, or remove buoyancy"
+        );
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::bridgeSettings::bridgeSettings
+(
+    const fvMesh& mesh,
+    const couplingProperties& coupling
+)
+:
+    dict(coupling.particleMomentumDict()),
+    twoWay(!differs(dict, "coupling", "twoWay", "oneWay")),
+    concurrent(differs(dict, "schedule", "staggered", "concurrent")),
+    semiImplicit
+    (
+        !differs(dict, "momentumExchange", "semiImplicit", "explicit")
+    ),
+    minFluidFraction(dict.lookupOrDefault<scalar>("minFluidFraction", 0.2)),
+    fluid(readFluid(mesh, coupling))
+{
+    check();
+}
+
+
+// ************************************************************************* //
