@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstring>
+#include <limits>
 
 #include <mpi.h>
 
@@ -101,9 +102,13 @@ void FixCoupleBridge::open_link() {
 
 void FixCoupleBridge::check_domains() const {
   const bridge::RankMap& map = link_->rank_map();
+  double least = std::numeric_limits<double>::max(), most = 0.0;  // box over mesh
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const double low = map.origin_m[axis];
     const double high = low + map.spacing_m[axis] * map.voxels[axis];
+    const double ratio = (domain->boxhi[axis] - domain->boxlo[axis]) / (high - low);
+    least = std::min(least, ratio);
+    most = std::max(most, ratio);
     if (domain->boxhi[axis] > low && domain->boxlo[axis] < high) continue;
     const std::string name(1, "xyz"[axis]);
     stop("domains along " + name + "; given: box of LIGGGHTS " + number_text(domain->boxlo[axis]) +
@@ -111,6 +116,11 @@ void FixCoupleBridge::check_domains() const {
          " to " + number_text(high) +
          " m; allowed: two that overlap; to do: check units (m) and origin of region and mesh");
   }
+  // A mesh in mm around a box in m holds it, in one corner; small and large boxes are no error.
+  constexpr double suspicious = 100.0;
+  if (most > 1.0 / suspicious && least < suspicious) return;
+  say("Warning: the box of LIGGGHTS is " + number_text(least) + " to " + number_text(most) +
+      " times as long as the mesh of the solver, along each axis: are both in m?");
 }
 
 void FixCoupleBridge::fill(const bridge::FieldSpec& field, std::vector<double>& values) const {

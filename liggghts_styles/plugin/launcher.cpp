@@ -63,6 +63,12 @@ extern "C" int MPI_Finalize() {
   return PMPI_Finalize();
 }
 
+// One rank's error ends all at once: what it said must not stay in a buffer.
+extern "C" int MPI_Abort(MPI_Comm comm, int code) {
+  std::fflush(nullptr);
+  return PMPI_Abort(comm, code);
+}
+
 int main(int argc, char** argv) {
   install_signal_handlers();
   MPI_Init(&argc, &argv);

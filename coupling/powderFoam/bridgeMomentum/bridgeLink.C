@@ -16,12 +16,18 @@ static bridge::LinkOptions readOptions(const dictionary& dict)
     bridge::LinkOptions options;
     options.world = mpiWorld::world();
 
-    dict.readIfPresent("timeout", options.timeout_s);
-    if (!(options.timeout_s > 0))
+    // The longest that the bridge takes: three years
+    constexpr scalar longest = 1e8;
+    const string times("above 0 s, at most 1e8 s");
+    options.timeout_s = dictionaryChecks::getOrDefault<scalar>
+    (
+        dict, "timeout", options.timeout_s, times
+    );
+    if (!(options.timeout_s > 0 && options.timeout_s <= longest))
     {
         dictionaryChecks::badValue
         (
-            dict, "timeout", Foam::name(options.timeout_s), "above 0 s"
+            dict, "timeout", Foam::name(options.timeout_s), times
         );
     }
 
@@ -52,7 +58,11 @@ static bridge::LinkOptions readOptions(const dictionary& dict)
 
     if (dict.found("socket"))
     {
-        const dictionary& socket = dict.subDict("socket");
+        const dictionary& socket = dictionaryChecks::subDict
+        (
+            dict, "socket", "{ side listen; rendezvous bridge.address; }"
+        );
+        const string addresses("unix:PATH or HOST:PORT in quotation marks");
         dictionaryChecks::checkEntries
         (
             socket, {}, {"side", "rendezvous", "address", "token"}
@@ -64,16 +74,25 @@ static bridge::LinkOptions readOptions(const dictionary& dict)
              == "listen";
         }
         options.socket.address =
-            socket.lookupOrDefault<string>("address", string());
+            dictionaryChecks::getOrDefault<string>
+            (
+                socket, "address", string(), addresses
+            );
         options.socket.token =
-            socket.lookupOrDefault<string>("token", string());
+            dictionaryChecks::getOrDefault<string>
+            (
+                socket, "token", string(), "a word or text in quotation marks"
+            );
         if (!options.socket.address.empty())
         {
             options.socket.rendezvous_file.clear();
         }
         if (socket.found("rendezvous"))
         {
-            options.socket.rendezvous_file = socket.get<string>("rendezvous");
+            options.socket.rendezvous_file = dictionaryChecks::get<string>
+            (
+                socket, "rendezvous", "a file name in quotation marks"
+            );
         }
     }
     return options;
@@ -104,7 +123,10 @@ std::unique_ptr<bridge::SolverLink> Foam::bridgeLink::open
 
     bridge::Hello hello;
     hello.role = "solver";
-    hello.case_name = dict.lookupOrDefault<word>("caseName", defaultCaseName);
+    hello.case_name = dictionaryChecks::getOrDefault<word>
+    (
+        dict, "caseName", defaultCaseName, "one word, as in fix couple/bridge"
+    );
     hello.ranks = Pstream::nProcs();
     hello.exchange_interval_s = interval;
     hello.needs = needs;

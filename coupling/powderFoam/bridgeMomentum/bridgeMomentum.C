@@ -64,12 +64,24 @@ namespace
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::wordList Foam::bridgeMomentum::requiredEntries()
+const Foam::dictionary& Foam::bridgeMomentum::checkedEntries
+(
+    const dictionary& dict
+)
 {
-    return wordList
+    wordList optional
     ({
-        "type", "transport", "voidFraction", "interpolation", "forces"
+        "coupling", "schedule", "momentumExchange", "minFluidFraction"
     });
+    optional.append(bridgeLink::optionalEntries());
+    optional.append(fluidForces::optionalEntries());
+    dictionaryChecks::checkEntries
+    (
+        dict,
+        {"type", "transport", "voidFraction", "interpolation", "forces"},
+        optional
+    );
+    return dict;
 }
 
 
@@ -121,7 +133,7 @@ Foam::fluidForces::fluidProperties Foam::bridgeMomentum::readProperties
 
     if
     (
-        dict_.get<wordList>("forces").found("buoyancy")
+        fluidForces::chosen(dict_).found("buoyancy")
      && mag(properties.g) < VSMALL
     )
     {
@@ -564,7 +576,7 @@ Foam::bridgeMomentum::bridgeMomentum
 :
     particleMomentum(mesh, coupling),
     timer_(),
-    dict_(coupling.particleMomentumDict()),
+    dict_(checkedEntries(coupling.particleMomentumDict())),
     twoWay_
     (
         !dict_.found("coupling")
@@ -585,7 +597,13 @@ Foam::bridgeMomentum::bridgeMomentum
             dict_, "momentumExchange", {"semiImplicit", "explicit"}
         ) == "semiImplicit"
     ),
-    minFluidFraction_(dict_.lookupOrDefault<scalar>("minFluidFraction", 0.2)),
+    minFluidFraction_
+    (
+        dictionaryChecks::getOrDefault<scalar>
+        (
+            dict_, "minFluidFraction", 0.2, "above 0, below 1"
+        )
+    ),
     U_(mesh.lookupObject<volVectorField>("U")),
     p_(mesh.lookupObject<volScalarField>("p")),
     alphaf_(mesh.lookupObjectRef<volScalarField>("alphaf")),
@@ -594,7 +612,17 @@ Foam::bridgeMomentum::bridgeMomentum
     clock_(mesh.time(), coupling),
     locator_(mesh),
     ownership_(locator_),
-    voidFraction_(voidFraction::New(locator_, dict_.subDict("voidFraction"))),
+    voidFraction_
+    (
+        voidFraction::New
+        (
+            locator_,
+            dictionaryChecks::subDict
+            (
+                dict_, "voidFraction", "{ type smooth; length 2e-4; }"
+            )
+        )
+    ),
     interpolation_(fluidInterpolation::New(mesh, dict_)),
     particleFluidFraction_
     (
@@ -637,14 +665,6 @@ Foam::bridgeMomentum::bridgeMomentum
     ),
     sumMagImpulse_(0)
 {
-    wordList optional
-    ({
-        "coupling", "schedule", "momentumExchange", "minFluidFraction"
-    });
-    optional.append(bridgeLink::optionalEntries());
-    optional.append(fluidForces::optionalEntries());
-    dictionaryChecks::checkEntries(dict_, requiredEntries(), optional);
-
     if (!(minFluidFraction_ > 0 && minFluidFraction_ < 1))
     {
         dictionaryChecks::badValue
@@ -846,6 +866,15 @@ void Foam::bridgeMomentum::endStep()
         rows_.fluidVelocity = interpolation_->interpolate(U_);
         timer_.lap(couplingTimer::forces);
         sendValues();
+    }
+}
+
+
+void Foam::bridgeMomentum::fail(const string& why)
+{
+    if (link_)
+    {
+        link_->fail(why);
     }
 }
 
