@@ -170,6 +170,18 @@ void Foam::fluidForces::readLaws(const dictionary& dict)
         hasAddedMass_ |= entry.info->kind == forces::ForceKind::inertia;
     }
 
+    if (properties_.modelA && !needsPressureGradient_)
+    {
+        Info<< "Warning: model A shares the pressure gradient with the"
+            << " particles, but pressure_gradient is not among the forces:"
+            << " their share acts on nothing" << endl;
+    }
+    if (!properties_.modelA && (needsPressureGradient_ || needsViscousStress_))
+    {
+        Info<< "Warning: pressure_gradient and viscous_stress are zero in"
+            << " model B, whose drag has their share" << endl;
+    }
+
     // In B these forces are zero whatever the fields are
     needsPressureGradient_ = needsPressureGradient_ && properties_.modelA;
     needsViscousStress_ = needsViscousStress_ && properties_.modelA;

@@ -70,6 +70,15 @@ int main(int argc, char *argv[])
     FatalIOError.throwExceptions();
     try
     {
+        if (!particles->coupled())
+        {
+            mpiWorld::refusePartner
+            (
+                "a run of powderFoam without particles",
+                "couple the case, or start powderFoam alone"
+            );
+        }
+
         #include "createFvOptions.H"
         #include "initContinuityErrs.H"
         #include "CourantNo.H"

@@ -63,6 +63,11 @@ void FixCoupleBridge::check_host() const {
 }
 
 void FixCoupleBridge::open_link() {
+  if (options_.socket && bridge::holds_other_program(coupled_world())) {
+    stop("transport; given: socket, in one mpirun with " + coupled_world().peer_role +
+         "; allowed: mpi in one mpirun, socket for two jobs; to do: set transport mpi in both "
+         "programs, or start each by itself");
+  }
   bridge::LinkOptions link;
   link.route =
       options_.socket ? bridge::LinkOptions::Route::socket : bridge::LinkOptions::Route::mpi;
@@ -88,6 +93,7 @@ void FixCoupleBridge::open_link() {
   } catch (const bridge::BridgeError& problem) {
     stop(problem.what());
   }
+  note_other_program_met();
   for (const bridge::FieldSpec& field : link_->plan().to_dem) {
     has_added_mass_ = has_added_mass_ || field == fields::added_mass;
     spins_ = spins_ || field == fields::rotational_drag || field == fields::fluid_torque;

@@ -85,6 +85,16 @@ int main(int argc, char** argv) {
   powderlink::plugin::register_styles(lammps);
   lammps->input->file();
   delete lammps;
+  const auto& world = powderlink::host::coupled_world();
+  if (shared_job && world.rank == 0 && !powderlink::host::has_met_other_program()) {
+    std::fprintf(
+        stderr,
+        "ERROR: LIGGGHTS and %s in one mpirun; given: a script that ends without coupling; "
+        "allowed: fix couple/bridge and a run; to do: add what is missing, or start the "
+        "programs one by one\n",
+        world.peer_role.c_str());
+    MPI_Abort(MPI_COMM_WORLD, 1);
+  }
   shared_job = false;
   MPI_Finalize();
   return 0;

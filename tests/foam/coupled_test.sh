@@ -311,6 +311,11 @@ DICT
     again; sed -i '/^rho/d' constant/transportProperties
     refused "no density" "rho"
     cp "$root/foam_cases/closed_box/constant/transportProperties" constant
+    # One mpirun, and a powderFoam that does not couple over it.
+    again; change transport socket
+    refused "socket in one mpirun" "transport socket, which is for two jobs"
+    again; rm constant/couplingProperties
+    refused "no coupling in one mpirun" "a run of powderFoam without particles"
     # Particles beside the mesh.
     again
     code=0

@@ -102,6 +102,9 @@ const BadCase kBadCases[] = {
     {"script_error", "run 100", "run 15\nno_such_command\n", "", "Unknown command"},
     // An error of one rank: LIGGGHTS aborts at once, its message must not stay in a buffer.
     {"no_data", "read_data spheres", "read_data sphere", "", "Cannot open file sphere.data"},
+    {"no_run", "run 100", "", "", "a script that ends without coupling"},
+    {"socket", "every 10", "every 10 transport socket", "",
+     "transport; given: socket, in one mpirun with solver"},
     {"folder", "every 10", "every 10 checkpoint in.script/r.", "checkpoint=1",
      "checkpoint in.script/r.10; given: "},
 };

@@ -51,6 +51,12 @@ static bridge::LinkOptions readOptions(const dictionary& dict)
         return options;
     }
 
+    mpiWorld::refusePartner
+    (
+        "transport socket, which is for two jobs",
+        "set transport mpi in both programs, or start each by itself"
+    );
+
     options.route = bridge::LinkOptions::Route::socket;
     options.listens = true;
     options.socket.rendezvous_file = "bridge.address";

@@ -2,6 +2,7 @@
 
 #include "bridgeMomentum.H"
 #include "dictionaryChecks.H"
+#include "mpiWorld.H"
 #include "addToRunTimeSelectionTable.H"
 #include "turbulentTransportModel.H"
 #include "fvcDdt.H"
@@ -156,6 +157,7 @@ void Foam::bridgeMomentum::stop(const std::exception& error)
     {
         link_->fail(error.what());
     }
+    mpiWorld::letFirstRankSpeak();
     FatalErrorInFunction
         << "the link to the program of the particles failed at time "
         << mesh_.time().timeName() << " s" << nl

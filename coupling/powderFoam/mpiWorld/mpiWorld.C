@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "mpiWorld.H"
+#include "error.H"
+#include "OSspecific.H"
+#include "Pstream.H"
 
 #include <mpi.h>
 
@@ -71,6 +74,39 @@ const bridge::MpiWorld& Foam::mpiWorld::world()
         split();
     }
     return thisWorld;
+}
+
+
+void Foam::mpiWorld::refusePartner(const string& why, const string& toDo)
+{
+    // A run without -parallel starts MPI for this question only if mpirun has
+    // started more than itself
+    const string nProcesses(getEnv("OMPI_COMM_WORLD_SIZE"));
+    const bool alone = nProcesses.empty() || nProcesses == "1";
+
+    if (!(Pstream::parRun() || !alone) || !bridge::holds_other_program(world()))
+    {
+        return;
+    }
+    letFirstRankSpeak();
+    FatalErrorInFunction
+        << "powderFoam and " << thisWorld.peer_role.c_str()
+        << " in one mpirun" << nl
+        << "    given:   " << why.c_str() << nl
+        << "    allowed: particleMomentum { type bridge; transport mpi; ... }"
+        << " in constant/couplingProperties" << nl
+        << "    to do:   " << toDo.c_str() << nl
+        << exit(FatalError);
+}
+
+
+void Foam::mpiWorld::letFirstRankSpeak()
+{
+    constexpr unsigned int patience_s = 1;
+    if (Pstream::parRun() && !Pstream::master())
+    {
+        Foam::sleep(patience_s);
+    }
 }
 
 
