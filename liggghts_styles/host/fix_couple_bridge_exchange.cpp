@@ -225,6 +225,17 @@ void FixCoupleBridge::store() {
   }
 }
 
+/// For new particles on a rank that has none.
+void FixCoupleBridge::find_mean() {
+  FluidLoan sum;
+  for (const int i : rows_) sum.add(FluidLoan(properties_, i, atom->radius[i]));
+  coupled_ = static_cast<double>(rows_.size());
+  MPI_Allreduce(MPI_IN_PLACE, &coupled_, 1, MPI_DOUBLE, MPI_SUM, world);
+  MPI_Allreduce(MPI_IN_PLACE, sum.data(), FluidLoan::size(), MPI_DOUBLE, MPI_SUM, world);
+  if (coupled_ > 0.0) sum.divide(coupled_);
+  mean_ = sum;
+}
+
 /// What was given to all particles, less what those that are still here carry.
 void FixCoupleBridge::count_lost_impulse() {
   double lost[3] = {impulse_[0], impulse_[1], impulse_[2]};
@@ -282,6 +293,7 @@ void FixCoupleBridge::exchange(bigint step) {
   }
   check_values();
   store();
+  find_mean();
   count_lost_impulse();
   if (word.checkpoint) save(step);
   for (int i = 0; i < atom->nlocal; ++i) {

@@ -356,6 +356,35 @@ TEST(CoupleBridge, NewParticlesTakeTheDragOfTheirNeighbourAtOnce) {
   EXPECT_GT(borrowed, 10);
 }
 
+TEST(CoupleBridge, NewParticlesOnARankWithoutOthersTakeTheMeanAtOnce) {
+  const LiggghtsCase c("couple_newcomers_mean");
+  const double eta = 2e-5;
+  std::string script = with_stream(c, 1e-3);
+  // The only particle of the start is on the other rank.
+  script.insert(script.find("region pack"),
+                "create_atoms 1 single 5e-4 0 8e-4 units box\nset group all diameter 8e-5 density "
+                "8000\n");
+  script = "processors 2 1 1\n" + script + kGas + dump_lines(1) + "run 9\n";
+  const Outcome o = c.couple(script, {interval() +
+                                          "wind=1,0,0 box=-1e-3,1e-3 press=0,0,1e-10 "
+                                          "stokes=" +
+                                          text(eta),
+                                      2, 1});
+  ASSERT_EQ(o.status, 0) << o.output;
+  const auto dump = read_dump(c.folder() / "all.dump");
+  int borrowed = 0;
+  for (const auto& [id, row] : dump.at(5)) {
+    if (row[kX] > 0.0) continue;
+    ++borrowed;
+    EXPECT_EQ(row[kState], 2.0) << id;
+    EXPECT_NEAR(row[kWindX], 1.0, 1e-12);
+    const double r = row[kRadius];
+    EXPECT_NEAR(row[kDrag] / (6.0 * 3.14159265358979323846 * eta * r), 1.0, 1e-12);
+    EXPECT_NEAR(row[kPressZ] / (1e-10 * std::pow(r / 4e-5, 3)), 1.0, 1e-12);
+  }
+  EXPECT_GT(borrowed, 5);
+}
+
 TEST(CoupleBridge, ImpulseOfParticlesThatVanishIsCounted) {
   const LiggghtsCase c("couple_lost");
   Sphere s = grain(9.6e-4);

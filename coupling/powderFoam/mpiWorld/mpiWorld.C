@@ -32,7 +32,7 @@ namespace
         PMPI_Finalized(&isFinalised);
         if (!isFinalised)
         {
-            PMPI_Abort(MPI_COMM_WORLD, 1);
+            MPI_Abort(MPI_COMM_WORLD, 1);
         }
     }
 
@@ -46,7 +46,7 @@ namespace
         catch (const std::exception& e)
         {
             std::fprintf(stderr, "powderFoam: %s\n", e.what());
-            PMPI_Abort(MPI_COMM_WORLD, 1);
+            MPI_Abort(MPI_COMM_WORLD, 1);
         }
     }
 
@@ -130,6 +130,16 @@ int MPI_Init_thread(int* argc, char*** argv, int required, int* provided)
     const int error = PMPI_Init_thread(argc, argv, required, provided);
     split();
     return error;
+}
+
+// Not by the library's own: mpirun of Open MPI 4.1.4 chokes on its farewell now
+// and then ("ORTE_ERROR_LOG ... show_help.c") and then crashes or leaves other
+// ranks alive. That a process is gone with a status is always noticed, and ends
+// the job.
+int MPI_Abort(MPI_Comm, int code)
+{
+    std::fflush(nullptr);
+    std::_Exit(code == 0 ? 1 : code);
 }
 
 int MPI_Comm_rank(MPI_Comm comm, int* rank)
