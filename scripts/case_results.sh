@@ -4,8 +4,15 @@
 #       tolerance: relative to the reference; with a reference of 0 the largest |value|
 #   case_write CASE FILE WALL_S RANKS VERSIONS     VERSIONS: "NAME": "VERSION", ...
 #       prints FILE too; status 1 if a quantity is outside its tolerance
+#   case_path PATH     PATH as it was meant where run.sh was called, which has gone to its own folder
+#   case_usage         the comment at the top of run.sh
 
 case_quantities=()
+case_caller=${OLDPWD:-$PWD}
+
+case_path() { (cd "$case_caller" && realpath -m -- "$1"); }
+
+case_usage() { awk 'NR > 1 && !/^#/ { exit } NR > 1 { sub(/^# ?/, ""); print }' "${BASH_SOURCE[-1]##*/}"; }
 
 case_result() {
   case_quantities+=("$(awk -v name="$1" -v unit="$2" -v value="$3" -v reference="$4" \

@@ -40,6 +40,7 @@ foam_case_options() {
   local value
   while [[ $# -gt 0 ]]; do
     case $1 in
+      -h | --help) case_usage; exit 0 ;;
       --short) short=yes; shift ;;
       --ranks | --dem-ranks | --transport | --out)
         [[ $# -ge 2 ]] || foam_case_fail "option without a value" "$1" "$1 VALUE" "add the value"
@@ -48,7 +49,7 @@ foam_case_options() {
           --ranks) ranks=$value ;;
           --dem-ranks) dem_ranks=$value ;;
           --transport) transport=$value ;;
-          --out) out=$(realpath -m -- "$value") ;;
+          --out) out=$(case_path "$value") ;;
         esac
         shift 2 ;;
       *) foam_case_fail "unknown option" "$1" \
@@ -74,6 +75,9 @@ foam_case_need() {  # program
 
 foam_case_copy() {
   local from=${1:-.} folder=$out/${case_copy:-case} script
+  # A run's folder is made anew; what is none must not vanish.
+  [[ ! -e $folder || -f $folder/system/controlDict ]] || foam_case_fail "the folder of the run is in use" \
+    "$folder" "a folder that does not exist, or of an earlier run" "give another --out, or move it away"
   rm -rf "$folder"
   mkdir -p "$folder"
   cp -r "$from"/{0,constant,system} "$folder"

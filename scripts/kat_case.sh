@@ -16,9 +16,10 @@ kat_case() {
   shift
   while [[ $# -gt 0 ]]; do
     case $1 in
+      -h | --help) case_usage; exit 0 ;;
       --short) shift ;;
       --out)
-        out=$(realpath -m -- "${2:?--out DIR: add the folder}")
+        out=$(case_path "${2:?--out DIR: add the folder}")
         results=$out/results.json
         shift 2 ;;
       *) options+=("$1"); shift ;;

@@ -2,7 +2,56 @@
 
 #include "dictionaryChecks.H"
 #include "FlatOutput.H"
+#include "ITstream.H"
 #include "StringStream.H"
+#include "vector.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+    // What stands in the file, variables expanded
+    Foam::string textOf(const Foam::dictionary& dict, const Foam::word& keyword)
+    {
+        const Foam::entry* const found = dict.findEntry(keyword);
+        if (!found)
+        {
+            return "missing";
+        }
+        if (found->isDict())
+        {
+            return "a dictionary";
+        }
+        Foam::OStringStream text;
+        for (const Foam::token& t : found->stream())
+        {
+            text << (text.str().empty() ? "" : " ") << t;
+        }
+        return text.str().empty() ? Foam::string("nothing") : Foam::string(text.str());
+    }
+
+    // While it lives FatalIOError is thrown, not printed
+    class ioErrorsThrown
+    {
+        const bool before_;
+
+    public:
+
+        ioErrorsThrown()
+        :
+            before_(Foam::FatalIOError.throwExceptions())
+        {}
+
+        ~ioErrorsThrown()
+        {
+            if (!before_)
+            {
+                Foam::FatalIOError.dontThrowExceptions();
+            }
+        }
+    };
+}
+
 
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
 
@@ -63,6 +112,47 @@ void Foam::dictionaryChecks::badValue
 }
 
 
+template<class Type>
+Type Foam::dictionaryChecks::get
+(
+    const dictionary& dict,
+    const word& keyword,
+    const string& allowed
+)
+{
+    Type value{};
+    bool isRead = false;
+    {
+        const ioErrorsThrown guard;
+        try
+        {
+            isRead = dict.readIfPresent(keyword, value);
+        }
+        catch (const Foam::IOerror&)
+        {}
+    }
+    if (!isRead)
+    {
+        badValue(dict, keyword, textOf(dict, keyword), allowed);
+    }
+    return value;
+}
+
+
+template<class Type>
+Type Foam::dictionaryChecks::getOrDefault
+(
+    const dictionary& dict,
+    const word& keyword,
+    const Type& otherwise,
+    const string& allowed
+)
+{
+    return
+        dict.found(keyword) ? get<Type>(dict, keyword, allowed) : otherwise;
+}
+
+
 Foam::word Foam::dictionaryChecks::getWord
 (
     const dictionary& dict,
@@ -73,17 +163,57 @@ Foam::word Foam::dictionaryChecks::getWord
     OStringStream names;
     names << flatOutput(allowed);
 
-    word value;
-    if (!dict.readIfPresent(keyword, value))
-    {
-        badValue(dict, keyword, "missing", names.str());
-    }
+    const word value(get<word>(dict, keyword, names.str()));
     if (!allowed.found(value))
     {
         badValue(dict, keyword, value, names.str());
     }
     return value;
 }
+
+
+const Foam::dictionary& Foam::dictionaryChecks::subDict
+(
+    const dictionary& dict,
+    const word& keyword,
+    const string& form
+)
+{
+    const dictionary* const found = dict.findDict(keyword);
+    if (!found)
+    {
+        badValue
+        (
+            dict,
+            keyword,
+            textOf(dict, keyword),
+            "a dictionary, e.g. " + keyword + " " + form
+        );
+    }
+    return *found;
+}
+
+
+// * * * * * * * * * * * * * Explicit Instantiation  * * * * * * * * * * * * //
+
+#define makeReaders(Type)                                                      \
+    template Foam::Type Foam::dictionaryChecks::get<Foam::Type>                \
+    (                                                                          \
+        const dictionary&, const word&, const string&                          \
+    );                                                                         \
+    template Foam::Type Foam::dictionaryChecks::getOrDefault<Foam::Type>       \
+    (                                                                          \
+        const dictionary&, const word&, const Type&, const string&             \
+    );
+
+makeReaders(word)
+makeReaders(string)
+makeReaders(label)
+makeReaders(scalar)
+makeReaders(vector)
+makeReaders(wordList)
+
+#undef makeReaders
 
 
 // ************************************************************************* //

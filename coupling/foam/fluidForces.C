@@ -23,6 +23,23 @@ namespace
     {
         return Foam::vector(v[0], v[1], v[2]);
     }
+
+    Foam::wordList known()
+    {
+        Foam::wordList names;
+        for (const forces::ForceEntry& entry : forces::force_registry())
+        {
+            names.append(entry.info->name);
+        }
+        return names;
+    }
+
+    Foam::string listOfKnown()
+    {
+        Foam::OStringStream text;
+        text << Foam::flatOutput(known());
+        return text.str();
+    }
 }
 
 
@@ -63,7 +80,9 @@ void Foam::fluidForces::need(const std::string& field)
 
 Foam::scalar Foam::fluidForces::readSphericity(const dictionary& dict)
 {
-    const scalar sphericity = dict.getOrDefault<scalar>("sphericity", 1);
+    const string allowed("above 0, at most 1: a sphere");
+    const scalar sphericity =
+        dictionaryChecks::getOrDefault<scalar>(dict, "sphericity", 1, allowed);
     if (!(sphericity > 0 && sphericity <= 1))
     {
         dictionaryChecks::badValue
@@ -71,7 +90,7 @@ Foam::scalar Foam::fluidForces::readSphericity(const dictionary& dict)
             dict,
             "sphericity",
             Foam::name(sphericity),
-            "above 0, at most 1: a sphere"
+            allowed
         );
     }
     return sphericity;
@@ -80,14 +99,7 @@ Foam::scalar Foam::fluidForces::readSphericity(const dictionary& dict)
 
 void Foam::fluidForces::readLaws(const dictionary& dict)
 {
-    wordList valid;
-    for (const forces::ForceEntry& entry : forces::force_registry())
-    {
-        valid.append(entry.info->name);
-    }
-    OStringStream allowed;
-    allowed << flatOutput(valid);
-
+    const wordList valid(known());
     forces::ForceSettings settings;
     settings.model =
         properties_.modelA
@@ -95,15 +107,19 @@ void Foam::fluidForces::readLaws(const dictionary& dict)
       : forces::MomentumModel::B;
     settings.weight_in_dem = true;
     settings.virtual_mass_coefficient =
-        dict.getOrDefault<scalar>("virtualMassCoefficient", 0.5);
+        dictionaryChecks::getOrDefault<scalar>
+        (
+            dict, "virtualMassCoefficient", 0.5, "a number, 0.5: a sphere"
+        );
+
 
     word drag;
     wordHashSet names;
-    for (const word& name : dict.get<wordList>("forces"))
+    for (const word& name : chosen(dict))
     {
         if (!valid.found(name))
         {
-            dictionaryChecks::badValue(dict, "forces", name, allowed.str());
+            dictionaryChecks::badValue(dict, "forces", name, listOfKnown());
         }
         if (!names.insert(name))
         {
@@ -154,6 +170,18 @@ void Foam::fluidForces::readLaws(const dictionary& dict)
         hasAddedMass_ |= entry.info->kind == forces::ForceKind::inertia;
     }
 
+    if (properties_.modelA && !needsPressureGradient_)
+    {
+        Info<< "Warning: model A shares the pressure gradient with the"
+            << " particles, but pressure_gradient is not among the forces:"
+            << " their share acts on nothing" << endl;
+    }
+    if (!properties_.modelA && (needsPressureGradient_ || needsViscousStress_))
+    {
+        Info<< "Warning: pressure_gradient and viscous_stress are zero in"
+            << " model B, whose drag has their share" << endl;
+    }
+
     // In B these forces are zero whatever the fields are
     needsPressureGradient_ = needsPressureGradient_ && properties_.modelA;
     needsViscousStress_ = needsViscousStress_ && properties_.modelA;
@@ -162,7 +190,7 @@ void Foam::fluidForces::readLaws(const dictionary& dict)
     needsCurl_ = needsCurl_ || hasTorque_;
 
     Info<< "Forces on particles: "
-        << flatOutput(dict.get<wordList>("forces"))
+        << flatOutput(chosen(dict))
         << (drag.empty() ? ", no drag" : "") << endl;
 }
 
@@ -203,6 +231,18 @@ Foam::fluidForces::fluidForces
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::wordList Foam::fluidForces::chosen(const dictionary& dict)
+{
+    return dictionaryChecks::get<wordList>
+    (
+        dict,
+        "forces",
+        "names in brackets, as in (gidaspow pressure_gradient), of "
+      + listOfKnown()
+    );
+}
+
 
 void Foam::fluidForces::evaluate
 (

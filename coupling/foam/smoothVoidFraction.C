@@ -30,7 +30,9 @@ Foam::scalar Foam::smoothVoidFraction::readLength(const dictionary& dict)
 {
     dictionaryChecks::checkEntries(dict, {"type", "length"}, {});
 
-    const scalar length = dict.get<scalar>("length");
+    const string allowed("a length above 0 m");
+    const scalar length =
+        dictionaryChecks::get<scalar>(dict, "length", allowed);
     if (!(length > 0))
     {
         dictionaryChecks::badValue
@@ -38,7 +40,7 @@ Foam::scalar Foam::smoothVoidFraction::readLength(const dictionary& dict)
             dict,
             "length",
             Foam::name(length),
-            "a length above 0 m",
+            allowed,
             "set about three diameters of the largest particles"
         );
     }

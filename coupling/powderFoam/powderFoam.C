@@ -43,6 +43,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 #include "couplingProperties.H"
 #include "particleMomentum.H"
 #include "mpiWorld.H"
+#include "breakOff.H"
 
 // * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
 
@@ -63,64 +64,90 @@ int main(int argc, char *argv[])
     #include "createControl.H"
     #include "createTimeControls.H"
     #include "createFields.H"
-    #include "initContinuityErrs.H"
-    #include "CourantNo.H"
-    #include "setInitialDeltaT.H"
 
-    turbulence->validate();
-
-    Info<< "\nStarting time loop\n" << endl;
-
-    while (runTime.run())
+    // From here on the program of the particles is told why this one stops
+    FatalError.throwExceptions();
+    FatalIOError.throwExceptions();
+    try
     {
-        #include "readTimeControls.H"
+        if (!particles->coupled())
+        {
+            mpiWorld::refusePartner
+            (
+                "a run of powderFoam without particles",
+                "couple the case, or start powderFoam alone"
+            );
+        }
+
+        #include "createFvOptions.H"
+        #include "initContinuityErrs.H"
         #include "CourantNo.H"
-        const scalar deltaTOfCoNum = runTime.deltaTValue();
-        #include "setDeltaT.H"
-        #include "meetExchange.H"
-        #include "checkCourantNo.H"
+        #include "setInitialDeltaT.H"
 
-        if (!particles->startStep())
+        turbulence->validate();
+
+        Info<< "\nStarting time loop\n" << endl;
+
+        while (runTime.run())
         {
-            runTime.writeNow();
-            break;
-        }
+            #include "readTimeControls.H"
+            #include "CourantNo.H"
+            const scalar deltaTOfCoNum = runTime.deltaTValue();
+            #include "setDeltaT.H"
+            #include "meetExchange.H"
+            #include "checkCourantNo.H"
 
-        ++runTime;
-
-        Info<< "Time = " << runTime.timeName() << nl << endl;
-
-        particles->advanceFluidFraction();
-
-        alphaff = fvc::interpolate(alphaf);
-        alphaPhi = alphaff*phi;
-
-        // --- Pressure-velocity PIMPLE corrector loop
-        while (pimple.loop())
-        {
-            #include "UEqn.H"
-
-            // --- Pressure corrector loop
-            while (pimple.correct())
+            if (!particles->startStep())
             {
-                #include "pEqn.H"
+                runTime.writeNow();
+                break;
             }
 
-            if (pimple.turbCorr())
+            ++runTime;
+
+            Info<< "Time = " << runTime.timeName() << nl << endl;
+
+            particles->advanceFluidFraction();
+
+            alphaff = fvc::interpolate(alphaf);
+            alphaPhi = alphaff*phi;
+
+            // --- Pressure-velocity PIMPLE corrector loop
+            while (pimple.loop())
             {
-                laminarTransport.correct();
-                turbulence->correct();
+                #include "UEqn.H"
+
+                // --- Pressure corrector loop
+                while (pimple.correct())
+                {
+                    #include "pEqn.H"
+                }
+
+                if (pimple.turbCorr())
+                {
+                    laminarTransport.correct();
+                    turbulence->correct();
+                }
             }
+
+            particles->endStep();
+
+            runTime.write();
+
+            runTime.printExecutionTime(Info);
         }
 
-        particles->endStep();
-
-        runTime.write();
-
-        runTime.printExecutionTime(Info);
+        particles->finish();
+    }
+    catch (const Foam::IOerror& problem)
+    {
+        breakOff(problem, particles());
+    }
+    catch (const Foam::error& problem)
+    {
+        breakOff(problem, particles());
     }
 
-    particles->finish();
     mpiWorld::finalise();
 
     Info<< "End\n" << endl;

@@ -10,9 +10,14 @@ bridge::MpiWorld& world_of_process() {
   return world;
 }
 
+bool met = false;
+
 }  // namespace
 
 const bridge::MpiWorld& coupled_world() { return world_of_process(); }
 void set_coupled_world(const bridge::MpiWorld& world) { world_of_process() = world; }
+
+bool has_met_other_program() { return met; }
+void note_other_program_met() { met = true; }
 
 }  // namespace powderlink::host

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file coupled_world.h
-/// How the launcher tells the fix that couples which other program shares the mpirun.
+/// How the launcher tells the fix that couples which other program shares the mpirun, and the fix
+/// the launcher that it has met it.
 #pragma once
 
 #include "coupling/bridge/mpi_world.h"
@@ -10,5 +11,9 @@ namespace powderlink::host {
 /// Of this process; without set_coupled_world() (LD_PRELOAD) it holds no other program.
 const bridge::MpiWorld& coupled_world();
 void set_coupled_world(const bridge::MpiWorld& world);
+
+/// A fix has met the other program.
+bool has_met_other_program();
+void note_other_program_met();
 
 }  // namespace powderlink::host

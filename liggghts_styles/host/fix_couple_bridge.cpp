@@ -209,21 +209,13 @@ void FixCoupleBridge::borrow_values(const std::vector<int>& newcomers) {
         nearest = j;
       }
     }
-    if (nearest < 0) {
+    if (nearest < 0 && coupled_ == 0.0) {
       step[i][FluidProperties::kState] = FluidProperties::kNothing;
       continue;
     }
-    const double ratio = atom->radius[i] / atom->radius[nearest];
-    const double volumes = ratio * ratio * ratio;
-    for (int c = 0; c < 3; ++c) {
-      properties_.fluid_velocity()[i][c] = properties_.fluid_velocity()[nearest][c];
-      properties_.fluid_spin()[i][c] = properties_.fluid_spin()[nearest][c];
-      properties_.pressure_force()[i][c] = volumes * properties_.pressure_force()[nearest][c];
-    }
-    properties_.fluid_fraction()[i] = properties_.fluid_fraction()[nearest];
-    properties_.drag_coefficient()[i] = ratio * properties_.drag_coefficient()[nearest];
-    properties_.rotational_drag()[i] = volumes * properties_.rotational_drag()[nearest];
-    properties_.added_mass()[i] = volumes * properties_.added_mass()[nearest];
+    const FluidLoan loan =
+        nearest < 0 ? mean_ : FluidLoan(properties_, nearest, atom->radius[nearest]);
+    loan.give(properties_, i, atom->radius[i]);
     step[i][FluidProperties::kState] = FluidProperties::kBorrowed;
     set_step(i);
   }

@@ -14,7 +14,8 @@
 /// New particles between exchanges take over the values of the nearest particle of their rank that
 /// has its own: fluid velocity, spin and fraction as they are, drag coefficient times the ratio of
 /// diameters, rotational drag its cube, pressure force and added mass the ratio of volumes, no other
-/// force. When there is none, nothing acts on them until the next exchange.
+/// force (host/fluid_loan.h). Where the rank has none, the mean of all particles at the last exchange
+/// is taken; when there were none at all, nothing acts until the next exchange.
 ///
 /// f_ID[1..3]  fluid force on all particles at the last exchange [N]
 /// f_ID[4]     coupled particles, [5] seconds spent in exchanges, waiting for the solver included
@@ -29,6 +30,7 @@
 
 #include "coupling/bridge/coupling_link.h"
 #include "host/couple_bridge_options.h"
+#include "host/fluid_loan.h"
 #include "host/fluid_properties.h"
 
 namespace powderlink::host {
@@ -59,6 +61,7 @@ class FixCoupleBridge : public LAMMPS_NS::Fix {
   void fill(const bridge::FieldSpec& field, std::vector<double>& values) const;
   void check_values() const;
   void store();
+  void find_mean();
   void count_lost_impulse();
   void save(LAMMPS_NS::bigint step);
   void end_by_solver(LAMMPS_NS::bigint step);
@@ -91,6 +94,8 @@ class FixCoupleBridge : public LAMMPS_NS::Fix {
   std::vector<std::int64_t> ids_;
   std::vector<std::vector<double>> sent_, got_;  ///< by column
   std::vector<int> newcomers_;
+  double coupled_ = 0.0;  ///< particles of all ranks at the last exchange
+  FluidLoan mean_;        ///< of them
 };
 
 }  // namespace powderlink::host

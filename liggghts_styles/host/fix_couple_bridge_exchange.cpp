@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstring>
+#include <limits>
 
 #include <mpi.h>
 
@@ -62,6 +63,11 @@ void FixCoupleBridge::check_host() const {
 }
 
 void FixCoupleBridge::open_link() {
+  if (options_.socket && bridge::holds_other_program(coupled_world())) {
+    stop("transport; given: socket, in one mpirun with " + coupled_world().peer_role +
+         "; allowed: mpi in one mpirun, socket for two jobs; to do: set transport mpi in both "
+         "programs, or start each by itself");
+  }
   bridge::LinkOptions link;
   link.route =
       options_.socket ? bridge::LinkOptions::Route::socket : bridge::LinkOptions::Route::mpi;
@@ -87,6 +93,7 @@ void FixCoupleBridge::open_link() {
   } catch (const bridge::BridgeError& problem) {
     stop(problem.what());
   }
+  note_other_program_met();
   for (const bridge::FieldSpec& field : link_->plan().to_dem) {
     has_added_mass_ = has_added_mass_ || field == fields::added_mass;
     spins_ = spins_ || field == fields::rotational_drag || field == fields::fluid_torque;
@@ -101,9 +108,13 @@ void FixCoupleBridge::open_link() {
 
 void FixCoupleBridge::check_domains() const {
   const bridge::RankMap& map = link_->rank_map();
+  double least = std::numeric_limits<double>::max(), most = 0.0;  // box over mesh
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const double low = map.origin_m[axis];
     const double high = low + map.spacing_m[axis] * map.voxels[axis];
+    const double ratio = (domain->boxhi[axis] - domain->boxlo[axis]) / (high - low);
+    least = std::min(least, ratio);
+    most = std::max(most, ratio);
     if (domain->boxhi[axis] > low && domain->boxlo[axis] < high) continue;
     const std::string name(1, "xyz"[axis]);
     stop("domains along " + name + "; given: box of LIGGGHTS " + number_text(domain->boxlo[axis]) +
@@ -111,6 +122,11 @@ void FixCoupleBridge::check_domains() const {
          " to " + number_text(high) +
          " m; allowed: two that overlap; to do: check units (m) and origin of region and mesh");
   }
+  // A mesh in mm around a box in m holds it, in one corner; small and large boxes are no error.
+  constexpr double suspicious = 100.0;
+  if (most > 1.0 / suspicious && least < suspicious) return;
+  say("Warning: the box of LIGGGHTS is " + number_text(least) + " to " + number_text(most) +
+      " times as long as the mesh of the solver, along each axis: are both in m?");
 }
 
 void FixCoupleBridge::fill(const bridge::FieldSpec& field, std::vector<double>& values) const {
@@ -209,6 +225,17 @@ void FixCoupleBridge::store() {
   }
 }
 
+/// For new particles on a rank that has none.
+void FixCoupleBridge::find_mean() {
+  FluidLoan sum;
+  for (const int i : rows_) sum.add(FluidLoan(properties_, i, atom->radius[i]));
+  coupled_ = static_cast<double>(rows_.size());
+  MPI_Allreduce(MPI_IN_PLACE, &coupled_, 1, MPI_DOUBLE, MPI_SUM, world);
+  MPI_Allreduce(MPI_IN_PLACE, sum.data(), FluidLoan::size(), MPI_DOUBLE, MPI_SUM, world);
+  if (coupled_ > 0.0) sum.divide(coupled_);
+  mean_ = sum;
+}
+
 /// What was given to all particles, less what those that are still here carry.
 void FixCoupleBridge::count_lost_impulse() {
   double lost[3] = {impulse_[0], impulse_[1], impulse_[2]};
@@ -266,6 +293,7 @@ void FixCoupleBridge::exchange(bigint step) {
   }
   check_values();
   store();
+  find_mean();
   count_lost_impulse();
   if (word.checkpoint) save(step);
   for (int i = 0; i < atom->nlocal; ++i) {

@@ -3,6 +3,7 @@
 /// another powderlink program (a coupled job) LIGGGHTS gets the ranks of this one only.
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 
 #include <mpi.h>
@@ -57,10 +58,18 @@ bool asks_for_help(int argc, char** argv) {
 // LIGGGHTS ends on errors by MPI_Finalize, which waits for the other program of a coupled job.
 extern "C" int MPI_Finalize() {
   if (shared_job) {
-    std::fflush(nullptr);
-    PMPI_Abort(MPI_COMM_WORLD, 1);
+    MPI_Abort(MPI_COMM_WORLD, 1);
   }
   return PMPI_Finalize();
+}
+
+// One rank's error ends all at once: what it said must not stay in a buffer. And not by the library's
+// own MPI_Abort: mpirun of Open MPI 4.1.4 chokes on its farewell now and then ("ORTE_ERROR_LOG ...
+// show_help.c") and then crashes or leaves the other ranks alive. That a process is gone with a status
+// is always noticed, and ends the job.
+extern "C" int MPI_Abort(MPI_Comm, int code) {
+  std::fflush(nullptr);
+  std::_Exit(code == 0 ? 1 : code);
 }
 
 int main(int argc, char** argv) {
@@ -79,6 +88,19 @@ int main(int argc, char** argv) {
   powderlink::plugin::register_styles(lammps);
   lammps->input->file();
   delete lammps;
+  const auto& world = powderlink::host::coupled_world();
+  if (shared_job && !powderlink::host::has_met_other_program()) {
+    if (world.rank == 0) {
+      std::fprintf(
+          stderr,
+          "ERROR: LIGGGHTS and %s in one mpirun; given: a script that ends without coupling; "
+          "allowed: fix couple/bridge and a run; to do: add what is missing, or start the "
+          "programs one by one\n",
+          world.peer_role.c_str());
+    }
+    MPI_Barrier(world.local);  // none may end the job before that is said
+    MPI_Abort(MPI_COMM_WORLD, 1);
+  }
   shared_job = false;
   MPI_Finalize();
   return 0;

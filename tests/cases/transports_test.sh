@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
-# transports_test.sh CASE RANKS WORK: the same case as one MPI job and as two jobs over a socket gives
-# the same particles in every dump, to round-off.
+# transports_test.sh CASE RANKS DEM_RANKS WORK: the same case as one MPI job and as two jobs over a
+# socket gives the same particles in every dump, to round-off.
 set -euo pipefail
-case_folder=$1 ranks=$2 work=$3
+case_folder=$1 ranks=$2 dem_ranks=$3 work=$4
 rm -rf "$work"
 mkdir -p "$work"
 for transport in mpi socket; do
-  "$case_folder/run.sh" --short --ranks "$ranks" --dem-ranks "$ranks" --transport "$transport" \
+  "$case_folder/run.sh" --short --ranks "$ranks" --dem-ranks "$dem_ranks" --transport "$transport" \
     --out "$work/$transport"
 done
 

@@ -43,6 +43,13 @@ grep -q '^broken .*did not run to its end.* NO$' "$work/out" || failed "the row 
 [[ $(grep -c '"case":' "$work/all.json") == 3 ]] || failed "all cases in the JSON"
 grep -q '"error": "run.sh ended with status 3"' "$work/all.json" || failed "the error in the JSON"
 
+# A relative path is meant where run.sh is called, not where the case is.
+mkdir "$work/elsewhere" "$work/foam_cases/path"
+new_case path 'case_path here/there'
+path=$(cd "$work/elsewhere" && ../foam_cases/path/run.sh 2>/dev/null | head -n 1) || true
+[[ $path == "$work/elsewhere/here/there" ]] || failed "relative path from elsewhere: $path"
+rm -r "$work/foam_cases/path"
+
 refused() {  # arguments; texts of the message
   verify $1
   shift

@@ -305,6 +305,20 @@ DICT
       [[ $code != 0 && $code != 124 ]] || failed "solver fails, $ranks ranks: status $code"
       error_text "solver fails, $ranks ranks" "Courant number above its limit"
     done
+    # The program of the particles says why, too.
+    new_case solver_fails_socket
+    change transport socket
+    sed -i '/^model/a maxCoFatal 0.01;' constant/couplingProperties
+    code=0
+    timeout 10 "$bin/powderFoam" >log.foam 2>&1 &
+    foam=$!
+    timeout 10 "$fake_dem" transport=socket >log 2>&1 || code=$?
+    [[ $code != 0 && $code != 124 ]] || failed "solver fails, socket: status $code of the DEM"
+    error_text "solver fails, socket" "its error: Courant number above its limit"
+    code=0
+    wait $foam || code=$?
+    [[ $code != 0 && $code != 124 ]] || failed "solver fails, socket: status $code"
+    grep -qF "Courant number above its limit" log.foam || failed "solver fails, socket: no message"
     ;;
   adjusted_step)
     new_case adjusted
@@ -328,7 +342,15 @@ DICT
     again; change couplingInterval 4
     refused "interval" "interval between exchanges"
     again; sed -i 's/interpolation /interpolaton /' constant/couplingProperties
-    refused "misspelt entry" "interpolation"
+    refused "misspelt entry" "unknown entry" "interpolaton" "voidFraction interpolation forces"
+    again; sed -i '/voidFraction/d' constant/couplingProperties
+    refused "missing entry" "missing entry voidFraction" "voidFraction interpolation forces"
+    again; sed -i -E 's/^( *voidFraction).*/\1 smooth;/' constant/couplingProperties
+    refused "no dictionary" "entry voidFraction" "given:   smooth" "{ type smooth; length"
+    again; change forces gidaspow
+    refused "no list" "entry forces" "given:   gidaspow" "schiller_naumann"
+    again; change timeout soon
+    refused "no number" "entry timeout" "given:   soon"
     again; change schedule stagered
     refused "misspelt value" "stagered" "staggered"
     again; sed -i 's/schiller_naumann/schiler_naumann/' constant/couplingProperties
@@ -346,6 +368,11 @@ DICT
     again; sed -i '/^rho/d' constant/transportProperties
     refused "no density" "rho"
     cp "$root/foam_cases/closed_box/constant/transportProperties" constant
+    # One mpirun, and a powderFoam that does not couple over it.
+    again; change transport socket
+    refused "socket in one mpirun" "transport socket, which is for two jobs"
+    again; rm constant/couplingProperties
+    refused "no coupling in one mpirun" "a run of powderFoam without particles"
     # Particles beside the mesh.
     again
     code=0

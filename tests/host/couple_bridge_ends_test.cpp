@@ -100,12 +100,29 @@ const BadCase kBadCases[] = {
     {"solver_fails", "run 100", "run 100", "fail=2", "its error: flow; given: diverged"},
     {"domains", "run 100", "run 100", "box=5,6", "domains along x; given: box of LIGGGHTS"},
     {"script_error", "run 100", "run 15\nno_such_command\n", "", "Unknown command"},
+    // An error of one rank: LIGGGHTS aborts at once, its message must not stay in a buffer.
+    {"no_data", "read_data spheres", "read_data sphere", "", "Cannot open file sphere.data"},
+    {"no_run", "run 100", "", "", "a script that ends without coupling"},
+    {"socket", "every 10", "every 10 transport socket", "",
+     "transport; given: socket, in one mpirun with solver"},
     {"folder", "every 10", "every 10 checkpoint in.script/r.", "checkpoint=1",
      "checkpoint in.script/r.10; given: "},
 };
 
 INSTANTIATE_TEST_SUITE_P(Cases, CoupleBridgeBadInput, ::testing::ValuesIn(kBadCases),
                          [](const auto& info) { return std::string(info.param.name); });
+
+TEST(CoupleBridgeEnds, ABoxThatIsTinyAgainstTheMeshIsWarnedOf) {
+  for (const bool tiny : {true, false}) {
+    const LiggghtsCase c(tiny ? "couple_tiny_box" : "couple_same_box");
+    std::string script = good_script(c, "run 10\n");
+    c.write_spheres("spheres.data", {grain(0.0)}, 1e-3);
+    const Outcome o = c.couple(script, {std::string(kWind) + (tiny ? "" : " box=-1e-3,1e-3")});
+    EXPECT_EQ(o.status, 0) << o.output;
+    const auto warning = o.output.find("Warning: the box of LIGGGHTS is 0.001 to 0.001 times");
+    EXPECT_EQ(warning != std::string::npos, tiny) << o.output;
+  }
+}
 
 TEST(CoupleBridgeEnds, ALiggghtsAloneIsToldHowToCouple) {
   const LiggghtsCase c("couple_alone");

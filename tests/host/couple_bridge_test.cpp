@@ -242,33 +242,57 @@ TEST(CoupleBridge, ARestartContinuesTheRun) {
   }
 }
 
-std::string with_stream(const LiggghtsCase& c, double half) {
-  std::string script = header(soft_spheres(), "");
+/// Grains of two sizes come, by fix insert/KIND, and go, through a mesh or the boundary.
+std::string with_stream(const LiggghtsCase& c, double half, const std::string& kind = "pack",
+                        const std::string& model = "hertz") {
+  std::string script = header(soft_spheres(model), "");
   script.replace(script.find("boundary m m m"), 14, "boundary f f f");
   const std::string h = text(half);
   script.insert(script.find("neighbor"), "region box block -" + h + " " + h + " -" + h + " " + h +
                                              " -" + h + " " + h + " units box\ncreate_box 2 box\n");
+  script.insert(script.find("pair_style"),
+                "fix speed all property/global characteristicVelocity scalar 2.0\n");
   c.write_plate("plate.stl", half, 2);
+  c.write_plate("face.stl", 0.5 * half, 2);
+  const std::string pack =
+      "region pack block -8e-4 -4e-4 -5e-4 5e-4 2e-4 6e-4 units box volume_limit 1e-16\n"
+      "fix rain all insert/pack seed 32452867 distributiontemplate sizes insert_every 34 "
+      "overlapcheck yes all_in yes vel constant 2.0 0. -8.0 region pack particles_in_region 12 "
+      "ntry_mc 1000\n";
+  // Held by the fix until they have passed the face.
+  const std::string stream =
+      "fix face all mesh/surface/planar file face.stl type 2 precision 1e-12 move 0 0 3e-4\n"
+      "fix rain all insert/stream seed 32452867 distributiontemplate sizes nparticles INF "
+      "particlerate 3.5e5 insert_every 34 overlapcheck yes maxattempt 100 "
+      "vel constant 0. 0. -8.0 insertion_face face\n";
   return script +
-         "region pack block -8e-4 -4e-4 -5e-4 5e-4 2e-4 6e-4 units box volume_limit 1e-16\n"
          "fix small all particletemplate/sphere 86028157 atom_type 1 density constant 8000 radius "
          "constant 30e-6 volume_limit 1e-20\n"
          "fix large all particletemplate/sphere 49979687 atom_type 1 density constant 8000 radius "
          "constant 50e-6 volume_limit 1e-20\n"
-         "fix sizes all particledistribution/discrete 67867967 2 small 0.5 large 0.5\n"
-         "fix rain all insert/pack seed 32452867 distributiontemplate sizes insert_every 34 "
-         "overlapcheck yes all_in yes vel constant 2.0 0. -8.0 region pack particles_in_region 12 "
-         "ntry_mc 1000\n"
+         "fix sizes all particledistribution/discrete 67867967 2 small 0.5 large 0.5\n" +
+         (kind == "pack" ? pack : stream) +
          "fix drain_mesh all mesh/surface file plate.stl type 2 precision 1e-12\n"
          "fix drain all massflow/mesh mesh drain_mesh vec_side 0. 0. -1. count once "
          "delete_atoms yes\n"
          "thermo_modify lost ignore\n";
 }
 
-TEST(CoupleBridge, ParticlesThatComeAndGoKeepTheirOwnValues) {
+struct Traffic {
+  const char* kind;
+  const char* model;
+  bool reuses_tags;  ///< in a stream the highest tag is always one that has just come
+};
+
+void PrintTo(const Traffic& t, std::ostream* out) { *out << t.kind << " " << t.model; }
+
+class CoupleBridgeTraffic : public ::testing::TestWithParam<Traffic> {};
+
+TEST_P(CoupleBridgeTraffic, ParticlesThatComeAndGoKeepTheirOwnValues) {
+  const auto [kind, model, reuses_tags] = GetParam();
   for (const int ranks : {1, 2}) {
-    const LiggghtsCase c("couple_come_and_go_" + std::to_string(ranks));
-    std::string script = with_stream(c, 1e-3) + kGas + dump_lines(1) + "run 600\n";
+    const LiggghtsCase c(std::string("couple_come_and_go_") + kind + "_" + std::to_string(ranks));
+    std::string script = with_stream(c, 1e-3, kind, model) + kGas + dump_lines(1) + "run 600\n";
     if (ranks == 2) script = "processors 2 1 1\n" + script;
     const Outcome o =
         c.couple(script, {interval() + "labels=1 box=-1e-3,1e-3 log=log.txt", ranks, ranks});
@@ -297,9 +321,14 @@ TEST(CoupleBridge, ParticlesThatComeAndGoKeepTheirOwnValues) {
       EXPECT_EQ(row[2], static_cast<double>(dump[static_cast<long>(row[0])].size()));
     }
     EXPECT_GT(radius_of.size(), dump[600].size()) << "none left: nothing was tested";
-    EXPECT_GT(reused, 0);
+    EXPECT_EQ(reused > 0, reuses_tags);
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(Insertions, CoupleBridgeTraffic,
+                         ::testing::Values(Traffic{"pack", "hertz", true},
+                                           Traffic{"stream", "hooke", false}),
+                         [](const auto& info) { return std::string(info.param.kind); });
 
 TEST(CoupleBridge, NewParticlesTakeTheDragOfTheirNeighbourAtOnce) {
   const LiggghtsCase c("couple_newcomers");
@@ -325,6 +354,35 @@ TEST(CoupleBridge, NewParticlesTakeTheDragOfTheirNeighbourAtOnce) {
     }
   }
   EXPECT_GT(borrowed, 10);
+}
+
+TEST(CoupleBridge, NewParticlesOnARankWithoutOthersTakeTheMeanAtOnce) {
+  const LiggghtsCase c("couple_newcomers_mean");
+  const double eta = 2e-5;
+  std::string script = with_stream(c, 1e-3);
+  // The only particle of the start is on the other rank.
+  script.insert(script.find("region pack"),
+                "create_atoms 1 single 5e-4 0 8e-4 units box\nset group all diameter 8e-5 density "
+                "8000\n");
+  script = "processors 2 1 1\n" + script + kGas + dump_lines(1) + "run 9\n";
+  const Outcome o = c.couple(script, {interval() +
+                                          "wind=1,0,0 box=-1e-3,1e-3 press=0,0,1e-10 "
+                                          "stokes=" +
+                                          text(eta),
+                                      2, 1});
+  ASSERT_EQ(o.status, 0) << o.output;
+  const auto dump = read_dump(c.folder() / "all.dump");
+  int borrowed = 0;
+  for (const auto& [id, row] : dump.at(5)) {
+    if (row[kX] > 0.0) continue;
+    ++borrowed;
+    EXPECT_EQ(row[kState], 2.0) << id;
+    EXPECT_NEAR(row[kWindX], 1.0, 1e-12);
+    const double r = row[kRadius];
+    EXPECT_NEAR(row[kDrag] / (6.0 * 3.14159265358979323846 * eta * r), 1.0, 1e-12);
+    EXPECT_NEAR(row[kPressZ] / (1e-10 * std::pow(r / 4e-5, 3)), 1.0, 1e-12);
+  }
+  EXPECT_GT(borrowed, 5);
 }
 
 TEST(CoupleBridge, ImpulseOfParticlesThatVanishIsCounted) {

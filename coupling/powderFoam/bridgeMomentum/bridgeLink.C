@@ -16,12 +16,18 @@ static bridge::LinkOptions readOptions(const dictionary& dict)
     bridge::LinkOptions options;
     options.world = mpiWorld::world();
 
-    dict.readIfPresent("timeout", options.timeout_s);
-    if (!(options.timeout_s > 0))
+    // The longest that the bridge takes: three years
+    constexpr scalar longest = 1e8;
+    const string times("above 0 s, at most 1e8 s");
+    options.timeout_s = dictionaryChecks::getOrDefault<scalar>
+    (
+        dict, "timeout", options.timeout_s, times
+    );
+    if (!(options.timeout_s > 0 && options.timeout_s <= longest))
     {
         dictionaryChecks::badValue
         (
-            dict, "timeout", Foam::name(options.timeout_s), "above 0 s"
+            dict, "timeout", Foam::name(options.timeout_s), times
         );
     }
 
@@ -45,6 +51,12 @@ static bridge::LinkOptions readOptions(const dictionary& dict)
         return options;
     }
 
+    mpiWorld::refusePartner
+    (
+        "transport socket, which is for two jobs",
+        "set transport mpi in both programs, or start each by itself"
+    );
+
     options.route = bridge::LinkOptions::Route::socket;
     options.listens = true;
     options.socket.rendezvous_file = "bridge.address";
@@ -52,7 +64,11 @@ static bridge::LinkOptions readOptions(const dictionary& dict)
 
     if (dict.found("socket"))
     {
-        const dictionary& socket = dict.subDict("socket");
+        const dictionary& socket = dictionaryChecks::subDict
+        (
+            dict, "socket", "{ side listen; rendezvous bridge.address; }"
+        );
+        const string addresses("unix:PATH or HOST:PORT in quotation marks");
         dictionaryChecks::checkEntries
         (
             socket, {}, {"side", "rendezvous", "address", "token"}
@@ -64,16 +80,25 @@ static bridge::LinkOptions readOptions(const dictionary& dict)
              == "listen";
         }
         options.socket.address =
-            socket.lookupOrDefault<string>("address", string());
+            dictionaryChecks::getOrDefault<string>
+            (
+                socket, "address", string(), addresses
+            );
         options.socket.token =
-            socket.lookupOrDefault<string>("token", string());
+            dictionaryChecks::getOrDefault<string>
+            (
+                socket, "token", string(), "a word or text in quotation marks"
+            );
         if (!options.socket.address.empty())
         {
             options.socket.rendezvous_file.clear();
         }
         if (socket.found("rendezvous"))
         {
-            options.socket.rendezvous_file = socket.get<string>("rendezvous");
+            options.socket.rendezvous_file = dictionaryChecks::get<string>
+            (
+                socket, "rendezvous", "a file name in quotation marks"
+            );
         }
     }
     return options;
@@ -90,6 +115,7 @@ void Foam::bridgeLink::stop(const std::exception& error)
     {
         link_->fail(error.what());
     }
+    mpiWorld::letFirstRankSpeak();
     FatalErrorInFunction
         << "the link to the program of the particles failed at time "
         << time_.timeName() << " s" << nl
@@ -117,8 +143,13 @@ Foam::bridgeLink::bridgeLink
 
     bridge::Hello hello;
     hello.role = "solver";
-    hello.case_name =
-        dict.lookupOrDefault<word>("caseName", time.globalCaseName());
+    hello.case_name = dictionaryChecks::getOrDefault<word>
+    (
+        dict,
+        "caseName",
+        time.globalCaseName(),
+        "one word, as in fix couple/bridge"
+    );
     hello.ranks = Pstream::nProcs();
     hello.exchange_interval_s = interval;
     hello.needs = needs;
@@ -166,6 +197,12 @@ bool Foam::bridgeLink::receiveParticles()
     {
         stop(e);
     }
+}
+
+
+void Foam::bridgeLink::fail(const string& why)
+{
+    link_->fail(why);
 }
 
 

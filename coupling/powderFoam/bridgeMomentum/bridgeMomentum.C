@@ -2,6 +2,7 @@
 
 #include "bridgeMomentum.H"
 #include "bridgeValues.H"
+#include "dictionaryChecks.H"
 #include "addToRunTimeSelectionTable.H"
 #include "turbulentTransportModel.H"
 #include "fvcDdt.H"
@@ -130,7 +131,13 @@ Foam::bridgeMomentum::bridgeMomentum
     (
         voidFraction::New
         (
-            particles_.locator(), settings_.dict.subDict("voidFraction")
+            particles_.locator(),
+            dictionaryChecks::subDict
+            (
+                settings_.dict,
+                "voidFraction",
+                "{ type smooth; length 2e-4; }"
+            )
         )
     ),
     interpolation_(fluidInterpolation::New(mesh, settings_.dict)),
@@ -297,6 +304,12 @@ void Foam::bridgeMomentum::endStep()
         timer_.lap(couplingTimer::forces);
         sendValues();
     }
+}
+
+
+void Foam::bridgeMomentum::fail(const string& why)
+{
+    link_.fail(why);
 }
 
 

@@ -70,7 +70,10 @@ bool Foam::bridgeSettings::differs
 }
 
 
-void Foam::bridgeSettings::check() const
+const Foam::dictionary& Foam::bridgeSettings::checkedEntries
+(
+    const dictionary& dict
+)
 {
     wordList optional
     ({
@@ -84,7 +87,12 @@ void Foam::bridgeSettings::check() const
         {"type", "transport", "voidFraction", "interpolation", "forces"},
         optional
     );
+    return dict;
+}
 
+
+void Foam::bridgeSettings::check() const
+{
     if (!(minFluidFraction > 0 && minFluidFraction < 1))
     {
         dictionaryChecks::badValue
@@ -98,7 +106,7 @@ void Foam::bridgeSettings::check() const
 
     if
     (
-        dict.get<wordList>("forces").found("buoyancy")
+        fluidForces::chosen(dict).found("buoyancy")
      && mag(fluid.g) < VSMALL
     )
     {
@@ -122,14 +130,20 @@ Foam::bridgeSettings::bridgeSettings
     const couplingProperties& coupling
 )
 :
-    dict(coupling.particleMomentumDict()),
+    dict(checkedEntries(coupling.particleMomentumDict())),
     twoWay(!differs(dict, "coupling", "twoWay", "oneWay")),
     concurrent(differs(dict, "schedule", "staggered", "concurrent")),
     semiImplicit
     (
         !differs(dict, "momentumExchange", "semiImplicit", "explicit")
     ),
-    minFluidFraction(dict.lookupOrDefault<scalar>("minFluidFraction", 0.2)),
+    minFluidFraction
+    (
+        dictionaryChecks::getOrDefault<scalar>
+        (
+            dict, "minFluidFraction", 0.2, "above 0, below 1"
+        )
+    ),
     fluid(readFluid(mesh, coupling))
 {
     check();

@@ -40,34 +40,36 @@ Foam::couplingProperties::couplingProperties(const fvMesh& mesh)
         {"couplingInterval", "couplingTime", "maxCoFatal", "particleMomentum"}
     );
 
-    const word model(dict.get<word>("model"));
+    const string models
+    (
+        "A (pressure gradient shared by fluid and particles),"
+        " B (in the fluid only)"
+    );
+    const word model(dictionaryChecks::get<word>(dict, "model", models));
     if (model != "A" && model != "B")
     {
-        dictionaryChecks::badValue
-        (
-            dict,
-            "model",
-            model,
-            "A (pressure gradient shared by fluid and particles),"
-            " B (in the fluid only)"
-        );
+        dictionaryChecks::badValue(dict, "model", model, models);
     }
     pressureShared_ = (model == "A");
 
-    dict.readIfPresent("couplingInterval", couplingInterval_);
+    const string steps("CFD steps from exchange to exchange, at least 1");
+    couplingInterval_ = dictionaryChecks::getOrDefault<label>
+    (
+        dict, "couplingInterval", couplingInterval_, steps
+    );
     if (couplingInterval_ < 1)
     {
         dictionaryChecks::badValue
         (
-            dict,
-            "couplingInterval",
-            Foam::name(couplingInterval_),
-            "CFD steps from exchange to exchange, at least 1"
+            dict, "couplingInterval", Foam::name(couplingInterval_), steps
         );
     }
 
-    if (dict.readIfPresent("couplingTime", couplingTime_))
+    if (dict.found("couplingTime"))
     {
+        const string times("a time above 0 s, instead of couplingInterval");
+        couplingTime_ =
+            dictionaryChecks::get<scalar>(dict, "couplingTime", times);
         if (!(couplingTime_ > 0) || dict.found("couplingInterval"))
         {
             dictionaryChecks::badValue
@@ -76,26 +78,30 @@ Foam::couplingProperties::couplingProperties(const fvMesh& mesh)
                 "couplingTime",
                 Foam::name(couplingTime_) + " s"
               + (dict.found("couplingInterval") ? " and couplingInterval" : ""),
-                "a time above 0 s, instead of couplingInterval"
+                times
             );
         }
     }
 
-    dict.readIfPresent("maxCoFatal", maxCoFatal_);
+    const string limits("a Courant number above 0");
+    maxCoFatal_ = dictionaryChecks::getOrDefault<scalar>
+    (
+        dict, "maxCoFatal", maxCoFatal_, limits
+    );
     if (!(maxCoFatal_ > 0))
     {
         dictionaryChecks::badValue
         (
-            dict,
-            "maxCoFatal",
-            Foam::name(maxCoFatal_),
-            "a Courant number above 0"
+            dict, "maxCoFatal", Foam::name(maxCoFatal_), limits
         );
     }
 
     if (dict.found("particleMomentum"))
     {
-        particleMomentumDict_ = dict.subDict("particleMomentum");
+        particleMomentumDict_ = dictionaryChecks::subDict
+        (
+            dict, "particleMomentum", "{ type none; }"
+        );
     }
 
     Info<< "Coupling: model " << model << ", every " << couplingInterval_

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "mpiWorld.H"
+#include "error.H"
+#include "OSspecific.H"
+#include "Pstream.H"
 
 #include <mpi.h>
 
@@ -29,7 +32,7 @@ namespace
         PMPI_Finalized(&isFinalised);
         if (!isFinalised)
         {
-            PMPI_Abort(MPI_COMM_WORLD, 1);
+            MPI_Abort(MPI_COMM_WORLD, 1);
         }
     }
 
@@ -43,7 +46,7 @@ namespace
         catch (const std::exception& e)
         {
             std::fprintf(stderr, "powderFoam: %s\n", e.what());
-            PMPI_Abort(MPI_COMM_WORLD, 1);
+            MPI_Abort(MPI_COMM_WORLD, 1);
         }
     }
 
@@ -74,6 +77,39 @@ const bridge::MpiWorld& Foam::mpiWorld::world()
 }
 
 
+void Foam::mpiWorld::refusePartner(const string& why, const string& toDo)
+{
+    // A run without -parallel starts MPI for this question only if mpirun has
+    // started more than itself
+    const string nProcesses(getEnv("OMPI_COMM_WORLD_SIZE"));
+    const bool alone = nProcesses.empty() || nProcesses == "1";
+
+    if (!(Pstream::parRun() || !alone) || !bridge::holds_other_program(world()))
+    {
+        return;
+    }
+    letFirstRankSpeak();
+    FatalErrorInFunction
+        << "powderFoam and " << thisWorld.peer_role.c_str()
+        << " in one mpirun" << nl
+        << "    given:   " << why.c_str() << nl
+        << "    allowed: particleMomentum { type bridge; transport mpi; ... }"
+        << " in constant/couplingProperties" << nl
+        << "    to do:   " << toDo.c_str() << nl
+        << exit(FatalError);
+}
+
+
+void Foam::mpiWorld::letFirstRankSpeak()
+{
+    constexpr unsigned int patience_s = 1;
+    if (Pstream::parRun() && !Pstream::master())
+    {
+        Foam::sleep(patience_s);
+    }
+}
+
+
 void Foam::mpiWorld::finalise()
 {
     if (startedHere)
@@ -94,6 +130,16 @@ int MPI_Init_thread(int* argc, char*** argv, int required, int* provided)
     const int error = PMPI_Init_thread(argc, argv, required, provided);
     split();
     return error;
+}
+
+// Not by the library's own: mpirun of Open MPI 4.1.4 chokes on its farewell now
+// and then ("ORTE_ERROR_LOG ... show_help.c") and then crashes or leaves other
+// ranks alive. That a process is gone with a status is always noticed, and ends
+// the job.
+int MPI_Abort(MPI_Comm, int code)
+{
+    std::fflush(nullptr);
+    std::_Exit(code == 0 ? 1 : code);
 }
 
 int MPI_Comm_rank(MPI_Comm comm, int* rank)

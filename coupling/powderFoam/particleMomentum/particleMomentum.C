@@ -52,21 +52,13 @@ Foam::autoPtr<Foam::particleMomentum> Foam::particleMomentum::New
         return autoPtr<particleMomentum>::New(mesh, coupling);
     }
 
-    OStringStream allowed;
-    allowed << flatOutput(dictionaryConstructorTablePtr_->sortedToc());
-
-    word modelType;
-    if (!dict.readIfPresent("type", modelType))
-    {
-        dictionaryChecks::badValue(dict, "type", "missing", allowed.str());
-    }
-
-    auto cstrIter = dictionaryConstructorTablePtr_->cfind(modelType);
-
-    if (!cstrIter.found())
-    {
-        dictionaryChecks::badValue(dict, "type", modelType, allowed.str());
-    }
+    const word modelType
+    (
+        dictionaryChecks::getWord
+        (
+            dict, "type", dictionaryConstructorTablePtr_->sortedToc()
+        )
+    );
 
     if (modelType == typeName)
     {
@@ -75,7 +67,10 @@ Foam::autoPtr<Foam::particleMomentum> Foam::particleMomentum::New
 
     Info<< "Selecting particleMomentum " << modelType << nl << endl;
 
-    return autoPtr<particleMomentum>(cstrIter()(mesh, coupling));
+    return autoPtr<particleMomentum>
+    (
+        dictionaryConstructorTablePtr_->cfind(modelType)()(mesh, coupling)
+    );
 }
 
 

@@ -31,7 +31,8 @@ Foam::prescribedMomentum::prescribedMomentum
     const dictionary& dict = coupling.particleMomentumDict();
     dictionaryChecks::checkEntries(dict, {"type", "Su", "Sp"}, {});
 
-    const scalar Sp = dict.get<scalar>("Sp");
+    const string allowed("at most 0 1/s: a resistance, not a drive");
+    const scalar Sp = dictionaryChecks::get<scalar>(dict, "Sp", allowed);
     if (!(Sp <= 0))
     {
         dictionaryChecks::badValue
@@ -39,11 +40,16 @@ Foam::prescribedMomentum::prescribedMomentum
             dict,
             "Sp",
             Foam::name(Sp),
-            "at most 0 1/s: a resistance, not a drive"
+            allowed
         );
     }
 
-    Su_ = dimensionedVector("Su", dimAcceleration, dict.get<vector>("Su"));
+    Su_ = dimensionedVector
+    (
+        "Su",
+        dimAcceleration,
+        dictionaryChecks::get<vector>(dict, "Su", "(x y z) in m/s2")
+    );
     Sp_ = dimensionedScalar("Sp", dimless/dimTime, Sp);
 }
 
