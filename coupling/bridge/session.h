@@ -16,12 +16,22 @@
 
 namespace powderlink::bridge {
 
+/// The clock of one side at the first exchange, and what it knows of the other's.
+struct Clock {
+  double time_s = 0.0;
+  /// The state is that of a checkpoint of a coupled run: the other side must be at the same moment.
+  bool continues = false;
+  /// In that run: this clock minus the other one [s], constant as long as the run goes on.
+  double ahead_s = 0.0;
+};
+
 struct Hello {
   std::string role;       ///< "dem", "solver"; the two must differ
   std::string case_name;  ///< must be the same on both sides
   int ranks = 1;
   /// Physical time between two exchanges [s]; 0 when this side takes what the other one says.
   double exchange_interval_s = 0.0;
+  Clock clock;
   std::vector<FieldSpec> offers;  ///< fields this side can send
   std::vector<FieldSpec> needs;   ///< fields this side must get
 };

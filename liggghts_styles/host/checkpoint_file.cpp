@@ -19,6 +19,8 @@
 #include "neighbor.h"
 #include "write_restart.h"
 
+#include "host/atom_order.h"
+
 namespace powderlink::host {
 
 namespace {
@@ -99,6 +101,7 @@ void bring_atoms_home(LAMMPS_NS::LAMMPS* lmp) {
   lmp->comm->setup();
   if (lmp->neighbor->style != 0) lmp->neighbor->setup_bins();
   lmp->comm->exchange();
+  set_atom_order(lmp);
   lmp->comm->borders();
   lmp->modify->pre_neighbor();
   lmp->neighbor->build();
