@@ -31,9 +31,9 @@ struct Hello {
   int ranks = 1;
   /// Physical time between two exchanges [s]; 0 when this side takes what the other one says.
   double exchange_interval_s = 0.0;
-  Clock clock;
   std::vector<FieldSpec> offers;  ///< fields this side can send
   std::vector<FieldSpec> needs;   ///< fields this side must get
+  Clock clock = {};
 };
 
 std::string to_text(const Hello& hello);

@@ -74,9 +74,9 @@ void FixCoupleBridge::go_on(bigint step) {
     if (releases) releases->array_atom[i][kReleaseStep] = kept[FluidProperties::kRelease];
   }
   forces_of_setup_ = false;
-  if (!set_insertion_state(lmp, checkpoint_.insertion)) {
-    say("another number of ranks or other insertions than at the checkpoint: particles that are "
-        "inserted from now on are not those of the run before");
+  const std::string unknown = set_insertion_state(lmp, checkpoint_.insertion);
+  if (!unknown.empty()) {
+    say("random numbers not in the checkpoint, or of another number of ranks: " + unknown);
   }
   say("goes on from the checkpoint of step " + std::to_string(step));
 }

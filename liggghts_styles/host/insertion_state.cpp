@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "host/insertion_state.h"
 
+#include <cstdint>
+#include <iterator>
+#include <map>
+#include <type_traits>
+
 #include "host/liggghts_headers.h"
 
 #include "domain.h"
@@ -45,11 +50,12 @@ void visit(RanPark* random, Visitor& visitor) {
   visitor(random->*pointer_to(Second()));
 }
 
-/// Calls visitor(number) for each number of the state.
-template <class Visitor>
-void visit_all(LAMMPS* lmp, Visitor& visitor) {
+/// Calls begin(name) for each fix and region, then visitor(number) for each number of its state.
+template <class Begin, class Visitor>
+void visit_all(LAMMPS* lmp, const Begin& begin, Visitor& visitor) {
   for (int i = 0; i < lmp->modify->nfix; ++i) {
     Fix* fix = lmp->modify->fix[i];
+    begin(std::string("fix ") + fix->id);
     if (auto* insertion = dynamic_cast<FixInsert*>(fix)) {
       visit(insertion->*pointer_to(OfInsertion()), visitor);
     }
@@ -75,39 +81,71 @@ void visit_all(LAMMPS* lmp, Visitor& visitor) {
     }
   }
   for (int i = 0; i < lmp->domain->nregion; ++i) {
-    visit(lmp->domain->regions[i]->*pointer_to(OfRegion()), visitor);
+    Region* region = lmp->domain->regions[i];
+    begin(std::string("region ") + region->id);
+    visit(region->*pointer_to(OfRegion()), visitor);
   }
 }
 
-struct Reader {
-  std::vector<double> state;
-  template <class Number>
-  void operator()(const Number& number) {
-    state.push_back(static_cast<double>(number));
-  }
-};
+using Numbers = std::vector<double>;
 
-struct Writer {
-  const double* next;
-  template <class Number>
-  void operator()(Number& number) {
-    number = static_cast<Number>(*next++);
+/// The state by owner; those without one are left out.
+std::map<std::string, Numbers> states_of(LAMMPS* lmp) {
+  std::map<std::string, Numbers> states;
+  Numbers* of_owner = nullptr;
+  const auto read = [&](const auto& number) { of_owner->push_back(static_cast<double>(number)); };
+  visit_all(
+      lmp, [&](const std::string& owner) { of_owner = &states[owner]; }, read);
+  for (auto at = states.begin(); at != states.end();) {
+    at = at->second.empty() ? states.erase(at) : std::next(at);
   }
-};
+  return states;
+}
+
+/// FNV-1a, 32 bits: a number that a double holds.
+double mark_of(const std::string& owner) {
+  std::uint32_t hash = 2166136261u;
+  for (const char c : owner) hash = (hash ^ static_cast<unsigned char>(c)) * 16777619u;
+  return hash;
+}
 
 }  // namespace
 
 std::vector<double> insertion_state(LAMMPS* lmp) {
-  Reader reader;
-  visit_all(lmp, reader);
-  return reader.state;
+  Numbers all;
+  for (const auto& [owner, numbers] : states_of(lmp)) {
+    all.push_back(mark_of(owner));
+    all.push_back(static_cast<double>(numbers.size()));
+    all.insert(all.end(), numbers.begin(), numbers.end());
+  }
+  return all;
 }
 
-bool set_insertion_state(LAMMPS* lmp, const std::vector<double>& state) {
-  if (insertion_state(lmp).size() != state.size()) return false;
-  Writer writer{state.data()};
-  visit_all(lmp, writer);
-  return true;
+std::string set_insertion_state(LAMMPS* lmp, const std::vector<double>& state) {
+  std::map<double, Numbers> kept;
+  for (std::size_t at = 0; at + 1 < state.size();) {
+    const auto first = state.begin() + static_cast<std::ptrdiff_t>(at) + 2;
+    const auto count = static_cast<std::ptrdiff_t>(state[at + 1]);
+    kept[state[at]] = Numbers(first, first + count);
+    at += 2 + static_cast<std::size_t>(count);
+  }
+  std::string unknown;
+  std::map<std::string, Numbers> next = states_of(lmp);
+  for (auto& [owner, numbers] : next) {
+    const auto found = kept.find(mark_of(owner));
+    if (found != kept.end() && found->second.size() == numbers.size()) {
+      numbers = found->second;
+    } else {
+      unknown += (unknown.empty() ? "" : ", ") + owner;
+    }
+  }
+  const double* number_of_owner = nullptr;
+  const auto write = [&](auto& number) {
+    number = static_cast<std::decay_t<decltype(number)>>(*number_of_owner++);
+  };
+  visit_all(
+      lmp, [&](const std::string& owner) { number_of_owner = next[owner].data(); }, write);
+  return unknown;
 }
 
 }  // namespace powderlink::host

@@ -8,17 +8,18 @@
 /// meshes and regions nor the second number of a Gaussian pair: after a restart other particles come.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "lammps.h"
 
 namespace powderlink::host {
 
-/// In an order that depends on the script alone.
+/// Per fix or region: a mark of its name, how many numbers, the numbers.
 std::vector<double> insertion_state(LAMMPS_NS::LAMMPS* lmp);
 
-/// Puts back what insertion_state() gave. False, and nothing is changed, when the script has other
-/// generators now.
-bool set_insertion_state(LAMMPS_NS::LAMMPS* lmp, const std::vector<double>& state);
+/// Puts back what insertion_state() gave. Returns the names of those that it does not hold, as
+/// `fix ID, region ID`: they go on with what they have.
+std::string set_insertion_state(LAMMPS_NS::LAMMPS* lmp, const std::vector<double>& state);
 
 }  // namespace powderlink::host

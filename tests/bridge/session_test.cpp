@@ -128,7 +128,7 @@ TEST(Session, CheckpointsOfDifferentMomentsAreRefused) {
   good({0.35, true, 0.25}, {0.1, true, -0.25});
   good({0.35, false, 0.0}, {0.1, true, -0.25});  // a restart file that does not know of the run
   good({0.35, true, 0.25}, {0.1 + 1e-7, true, -0.25});  // six digits
-  bad({0.35, true, 0.25}, {0.1 + 1e-5, true, -0.25}, "dem at 0.35001 s");
+  bad({0.35, true, 0.25}, {0.1 + 1e-5, true, -0.25}, "solver starts at 0.10001 s");
   bad({0.35, true, 0.25}, {0.0, false, 0.0},
       "dem goes on from its checkpoint of 0.35 s, solver starts at 0 s");
   bad({0.0, false, 0.0}, {0.1, true, -0.25}, "solver goes on from its checkpoint of 0.1 s");

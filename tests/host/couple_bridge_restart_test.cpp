@@ -76,12 +76,14 @@ int overlaps(const Snapshot& grains) {
 
 /// Runs the script as a whole and again from its checkpoint; the columns that must agree.
 void expect_continuation(const LiggghtsCase& c, std::string script, const std::string& gas,
-                         int ranks, const std::vector<const char*>& dumps) {
+                         int ranks, const std::vector<const char*>& dumps,
+                         const char* counts = nullptr) {
   Outcome o = c.couple(script + "run " + std::to_string(kEnd) + "\n",
                        {interval() + gas + " checkpoint=12", ranks, 1});
   ASSERT_EQ(o.status, 0) << o.output;
   std::vector<std::map<long, Snapshot>> whole;
   for (const char* dump : dumps) whole.push_back(read_dump(c.folder() / dump));
+  const auto counted = counts ? read_log(c.folder() / counts) : read_log("");
   const auto at = script.find(kData);
   script.replace(at, script.find('\n', at) - at, "read_restart post/restart.120");
   o = c.couple(script + "run " + std::to_string(kEnd) + " upto\n",
@@ -94,6 +96,12 @@ void expect_continuation(const LiggghtsCase& c, std::string script, const std::s
       ASSERT_GT(whole[i][step].size(), 0u);
       ASSERT_EQ(whole[i][step], again[step]) << dumps[i] << ", step " << step;
     }
+  }
+  if (!counts) return;
+  const auto after = read_log(c.folder() / counts);
+  ASSERT_EQ(after.size(), std::size_t{(kEnd - kCheckpoint) / 10});
+  for (std::size_t i = 1; i <= after.size(); ++i) {
+    EXPECT_EQ(after[after.size() - i], counted[counted.size() - i]);
   }
 }
 
@@ -153,10 +161,13 @@ TEST(CoupleBridgeInsertion, TheSameGrainsCome) {
         "yes\n"
         "thermo_modify lost ignore\n";
     script += kGas + dump_lines(10) +
-              "dump more all custom 10 more.dump id omegax omegay density f_massflow_drain\n"
-              "dump_modify more sort id format \"%d %.17g %.17g %.17g %.17g\"\n";
+              "variable at equal step\nvariable came equal f_stream[1]+f_rain[1]\n"
+              "variable mass equal f_stream[2]+f_rain[2]\nvariable went equal f_drain[6]\n"
+              "variable lost equal f_drain[5]\n"
+              "fix counts all print 10 \"${at} ${came} ${mass} ${went} ${lost}\" file counts.txt "
+              "screen no title none\n";
     expect_continuation(c, script, "box=-1e-3,1e-3 wind=1,0,0 stokes=2e-5", ranks,
-                        {"all.dump", "more.dump"});
+                        {"all.dump"}, "counts.txt");
     const auto dump = read_dump(c.folder() / "all.dump");
     const auto& last = dump.at(kEnd);
     long highest = 0;

@@ -97,6 +97,7 @@ std::unique_ptr<bridge::SolverLink> Foam::bridgeLink::open
     const std::vector<bridge::FieldSpec>& needs,
     const std::vector<bridge::FieldSpec>& offers,
     const scalar interval,
+    const bridge::Clock& clock,
     const rankMap& map
 )
 {
@@ -107,6 +108,7 @@ std::unique_ptr<bridge::SolverLink> Foam::bridgeLink::open
     hello.case_name = dict.lookupOrDefault<word>("caseName", defaultCaseName);
     hello.ranks = Pstream::nProcs();
     hello.exchange_interval_s = interval;
+    hello.clock = clock;
     hello.needs = needs;
     hello.offers = offers;
 

@@ -7,6 +7,7 @@
 #include "fvcDdt.H"
 #include "uniformDimensionedFields.H"
 #include "zeroGradientFvPatchFields.H"
+#include "writtenFiles.H"
 
 #include "coupling/bridge/coupling_fields.h"
 #include "coupling/forces/semi_implicit_step.h"
@@ -265,6 +266,7 @@ void Foam::bridgeMomentum::checkTime(const scalar particleTime)
     if (clock_.nExchanges() == 0)
     {
         timeOffset_ = offset;
+        clocks_.set(offset);
         if (mag(offset) > 1e-6*clock_.interval())
         {
             Info<< "The particles' time is ours plus " << offset << " s"
@@ -342,9 +344,13 @@ void Foam::bridgeMomentum::setSource()
         vector explicitPart(Zero);
         if (semiImplicit_)
         {
-            const scalar mass =
+            scalar mass =
                 4.0/3.0*constant::mathematical::pi*pow3(particles_.radius[i])
                *particles_.density[i];
+            if (forces_.hasAddedMass())
+            {
+                mass += rows_.addedMass[i];
+            }
             const scalar x = K*D/mass;
             K *= powderlink::forces::relaxation_mean(x);
             relaxedDrag_[i] = K;
@@ -510,7 +516,11 @@ void Foam::bridgeMomentum::sendValues()
 
     try
     {
-        link_->send_values({bridge::Command::go_on, isCheckpoint_}, columns);
+        link_->send_values
+        (
+            {bridge::Command::go_on, isCheckpoint_, clock_.writesNext()},
+            columns
+        );
     }
     catch (const std::exception& e)
     {
@@ -550,7 +560,22 @@ void Foam::bridgeMomentum::sayStop()
 bool Foam::bridgeMomentum::fieldsAreWritten() const
 {
     const Time& time = mesh_.time();
-    return time.timeIndex() > time.startTimeIndex() && time.writeTime();
+    if (time.timeIndex() <= time.startTimeIndex() || !time.writeTime())
+    {
+        return false;
+    }
+    const string broken = writtenFiles::firstBroken(mesh_);
+    if (!broken.empty())
+    {
+        const std::string text =
+            "checkpoint of the fluid; given: the disk did not take the whole"
+            " file " + broken + "; allowed: a folder that can be written to,"
+            " on a disk with room; to do: make room, then go on from the last"
+            " pair: powderlink restart CASE --prepare";
+        link_->fail(text);
+        FatalErrorInFunction << text << exit(FatalError);
+    }
+    return true;
 }
 
 
@@ -629,6 +654,7 @@ Foam::bridgeMomentum::bridgeMomentum
     isCheckpoint_(false),
     isOver_(false),
     timeOffset_(0),
+    clocks_(mesh),
     toFluid_(Zero),
     toParticles_(Zero),
     balanceAtStart_
@@ -694,6 +720,7 @@ Foam::bridgeMomentum::bridgeMomentum
             },
             offers(),
             clock_.interval(),
+            clocks_.start(),
             rankMap(locator_)
         );
     }
