@@ -110,7 +110,7 @@ if [[ $go_on == yes ]]; then
   foam_case_run "$foam_case_bin/powderlink" restart . --dt 4e-7 --prepare --json restart.json
   from_s=$(sed -n -E 's/.*"time_s": *([^,]*),.*/\1/p' restart.json)
   # What the first run has written after that time is written again.
-  awk -F, -v from="$from_s" 'NR == 1 || $1 <= from + 2e-7' post/particle_count.csv >post/count.part
+  awk -F, -v from="$from_s" 'NR == 1 || (NF == 9 && $1 <= from + 2e-7)' post/particle_count.csv >post/count.part
   mv post/count.part post/particle_count.csv
   set_times
   ranks=1

@@ -132,6 +132,40 @@ const Contacts kContacts[] = {
 INSTANTIATE_TEST_SUITE_P(Cases, CoupleBridgeContacts, ::testing::ValuesIn(kContacts),
                          [](const auto& info) { return std::string(info.param.name); });
 
+/// A restart file knows of the coupled run that it comes from.
+TEST(CoupleBridgeMoments, ParticlesOfAnotherMomentThanTheFluidAreRefused) {
+  const LiggghtsCase c("couple_moments");
+  c.write_spheres("spheres.data", {grain(-1e-3), grain(1e-3)}, 1e-2);
+  std::string script = header(soft_spheres(), "spheres.data") + kGas;
+  const std::string gas = interval() + "wind=1,0,0 drag=1e-6 ";
+  // Two jobs: in one mpirun the program that is first to stop may end the other before it has spoken.
+  script.replace(script.find("every 10"), 8, "every 10 transport socket rendezvous meet");
+  // The particles are 1e-4 s old when the fluid begins.
+  script.insert(script.find("fix integrate"), "reset_timestep 100\n");
+  Outcome o = c.couple(script + "run 100\n", {gas + "checkpoint=5", 1, 1, true});
+  ASSERT_EQ(o.status, 0) << o.output;
+  script.replace(script.find("reset_timestep 100\n"), 19, "");
+  script.replace(script.find("read_data spheres.data"), 22, "read_restart post/restart.150");
+  for (const char* fluid : {"time=5e-5 ahead=-1e-4", "time=5e-5"}) {
+    o = c.couple(script + "run 20\n", {gas + fluid, 1, 1, true});
+    EXPECT_EQ(o.status, 0) << o.output;
+  }
+  for (const char* fluid : {"time=6e-5 ahead=-1e-4", "time=6e-5", "time=0"}) {
+    o = c.couple(script + "run 20\n", {gas + fluid, 2, 1, true});
+    EXPECT_NE(o.status, 0) << fluid;
+    EXPECT_LT(o.status, 124) << o.output;
+    for (const char* words :
+         {"Fix couple/bridge (id gas): coupling states at the start; given: ",
+          "fake solver: coupling states at the start; given: ", "; allowed: ", "; to do: "}) {
+      EXPECT_NE(o.output.find(words), std::string::npos) << words << "\n" << o.output;
+    }
+  }
+  // Under another name the fix begins a new run with these particles.
+  script.replace(script.find("fix gas"), 7, "fix air");
+  o = c.couple(script + "run 20\n", {gas + "time=0", 1, 1, true});
+  EXPECT_EQ(o.status, 0) << o.output;
+}
+
 /// Grains that come through a face and in a region, with random places, sizes and speeds, and go.
 TEST(CoupleBridgeInsertion, TheSameGrainsCome) {
   for (const int ranks : {1, 2}) {

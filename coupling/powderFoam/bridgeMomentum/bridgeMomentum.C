@@ -567,15 +567,22 @@ bool Foam::bridgeMomentum::fieldsAreWritten() const
     const string broken = writtenFiles::firstBroken(mesh_);
     if (!broken.empty())
     {
-        const std::string text =
-            "checkpoint of the fluid; given: the disk did not take the whole"
-            " file " + broken + "; allowed: a folder that can be written to,"
-            " on a disk with room; to do: make room, then go on from the last"
-            " pair: powderlink restart CASE --prepare";
-        link_->fail(text);
-        FatalErrorInFunction << text << exit(FatalError);
+        stopForDisk(broken);
     }
     return true;
+}
+
+
+void Foam::bridgeMomentum::stopForDisk(const string& file) const
+{
+    const std::string text =
+        "checkpoint of the fluid; given: the disk did not take the whole file "
+      + file + "; allowed: a folder that can be written to, on a disk with"
+        " room; to do: make room, then go on from the last pair:"
+        " powderlink restart CASE --prepare";
+    link_->fail(text);
+    FatalErrorInFunction << text.c_str() << exit(FatalError);
+    std::abort();
 }
 
 
@@ -874,6 +881,23 @@ void Foam::bridgeMomentum::endStep()
         timer_.lap(couplingTimer::forces);
         sendValues();
     }
+}
+
+
+void Foam::bridgeMomentum::write(Time& time)
+{
+    // A stream that has failed in the middle of a file
+    const bool throws = FatalIOError.throwExceptions();
+    try
+    {
+        time.write();
+    }
+    catch (const IOerror& error)
+    {
+        FatalIOError.throwExceptions(throws);
+        stopForDisk(error.ioFileName());
+    }
+    FatalIOError.throwExceptions(throws);
 }
 
 
