@@ -8,9 +8,6 @@ fail() {
   echo "pipe_test: $*" >&2
   exit 1
 }
-# A column of the line of a time in post/particle_count.csv.
-count() { awk -F, -v t="$2" -v column="$3" 'NR > 1 && $1 > t - 1e-8 && $1 < t + 1e-8 { print $column }' "$1/case/post/particle_count.csv"; }
-
 # Nothing in these runs is random or depends on timing: fields, grains and counts agree in every bit.
 same_run() {  # folder
   local file folder
@@ -24,13 +21,13 @@ same_run() {  # folder
   cmp "$out/case/post/particles_5000.dump" "$1/case/post/particles_5000.dump" || fail "grains differ"
   cmp "$out/case/post/particle_count.csv" "$1/case/post/particle_count.csv" || fail "counts differ"
 }
-# A process of this case, by the beginning of its name.
-process_of_case() {
-  local process
+# Sets victim to a process of this case, by the beginning of its name; without a fork, so quickly.
+find_victim() {
+  local process name
   for process in /proc/[0-9]*; do
-    if [[ $(readlink "$process/cwd" 2>/dev/null) == "$out/killed/case" ]] &&
-      [[ $(cat "$process/comm" 2>/dev/null) == "$1"* ]]; then
-      echo "${process#/proc/}"
+    if { read -r name <"$process/comm"; } 2>/dev/null && [[ $name == "$1"* ]] &&
+      [[ $process/cwd -ef $out/killed/case ]]; then
+      victim=${process#/proc/}
       return
     fi
   done
@@ -38,26 +35,27 @@ process_of_case() {
 # Starts or continues the run, kills a program of it when a file (or FILE.part) of the case appears, or
 # at some moment; whatever comes first: the end of the run is too late.
 kill_in_run() {  # beginning of the program's name, file or any
-  local go_on=() job victim code=0 begin=$SECONDS moment
+  local go_on=() job victim= code=0 begin=$SECONDS moment
   moment=$((RANDOM%20))
   [[ ! -f $out/killed/case/post/restart.1250 ]] || go_on=(--continue)
   run "${options[@]}" --out "$out/killed" ${go_on[@]+"${go_on[@]}"} >"$out/log.killed" 2>&1 &
   job=$!
   while kill -0 $job 2>/dev/null; do
-    if [[ $2 == any ]]; then
-      victim=$(process_of_case "$1")
-      if [[ -n $victim && -f $out/killed/case/post/restart.1250 ]]; then
+    [[ -n $victim ]] || find_victim "$1"
+    if [[ -z $victim ]]; then
+      :
+    elif [[ $2 == any ]]; then
+      if [[ -f $out/killed/case/post/restart.1250 ]]; then
         sleep "$(printf '0.%02d' $((3*moment)))"
         break
       fi
     elif [[ -e $out/killed/case/$2 || -e $out/killed/case/$2.part ]]; then
-      victim=$(process_of_case "$1")
       break
     fi
     ((SECONDS < begin + 60)) || fail "nothing to kill within 60 s"
     sleep 0.002
   done
-  [[ -n ${victim:-} ]] || fail "no process $1 to kill, $2"
+  [[ -n $victim ]] || fail "no process $1 to kill, $2"
   kill -KILL "$victim" 2>/dev/null || echo "pipe_test: $1 had ended before it was killed, $2" >&2
   wait $job || code=$?
   echo "killed $1 at $2 (${moment}): status $code"
