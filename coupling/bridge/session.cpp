@@ -185,9 +185,10 @@ Hello hello_from_text(std::string_view text) {
     check_own(hello);
     return hello;
   } catch (const json::exception& e) {
-    throw BridgeError(Kind::bad_frame, "hello of the other program", e.what(),
-                      "role, case, ranks, exchange_interval_s, time_s, continues, ahead_s, offers, needs",
-                      "build both programs from the same release of powderlink");
+    throw BridgeError(
+        Kind::bad_frame, "hello of the other program", e.what(),
+        "role, case, ranks, exchange_interval_s, time_s, continues, ahead_s, offers, needs",
+        "build both programs from the same release of powderlink");
   } catch (const BridgeError& e) {
     throw BridgeError(Kind::bad_frame, std::string("hello of the other program: ") + e.what());
   }

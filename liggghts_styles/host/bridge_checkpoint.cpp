@@ -9,7 +9,7 @@ namespace powderlink::host {
 namespace {
 
 constexpr double kFormat = 1.0;
-constexpr std::size_t kHead = 5;
+constexpr std::size_t kHead = 4;
 
 }  // namespace
 
@@ -33,9 +33,8 @@ void BridgeCheckpoint::write(std::FILE* file, MPI_Comm world) const {
   if (rank != 0) return;
   all[0] = kFormat;
   all[1] = static_cast<double>(step);
-  all[2] = dt_s;
-  all[3] = ahead_s;
-  all[4] = ranks;
+  all[2] = ahead_s;
+  all[3] = ranks;
   const int bytes = static_cast<int>(all.size() * sizeof(double));
   std::fwrite(&bytes, sizeof bytes, 1, file);
   std::fwrite(all.data(), sizeof(double), all.size(), file);
@@ -53,9 +52,8 @@ BridgeCheckpoint BridgeCheckpoint::read(const char* state, MPI_Comm world) {
   BridgeCheckpoint checkpoint;
   if (number(0) != kFormat) return checkpoint;
   checkpoint.step = static_cast<std::int64_t>(number(1));
-  checkpoint.dt_s = number(2);
-  checkpoint.ahead_s = number(3);
-  if (static_cast<int>(number(4)) != ranks) return checkpoint;
+  checkpoint.ahead_s = number(2);
+  if (static_cast<int>(number(3)) != ranks) return checkpoint;
   std::size_t at = kHead;
   for (int r = 0; r < rank; ++r) at += 1 + static_cast<std::size_t>(number(at));
   const auto count = static_cast<std::size_t>(number(at));

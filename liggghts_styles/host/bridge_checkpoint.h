@@ -3,7 +3,7 @@
 /// What fix couple/bridge keeps in a restart file beside the values of each particle, so that a run
 /// goes on as if it had not stopped.
 ///
-/// Doubles: format, step, dt_s, ahead_s, number of ranks, then per rank a count and its numbers.
+/// Doubles: format, step, ahead_s, number of ranks, then per rank a count and its numbers.
 #pragma once
 
 #include <cstdint>
@@ -15,8 +15,7 @@
 namespace powderlink::host {
 
 struct BridgeCheckpoint {
-  std::int64_t step = -1;  ///< of the last checkpoint; -1: none
-  double dt_s = 0.0;
+  std::int64_t step = -1;         ///< of the last checkpoint; -1: none
   double ahead_s = 0.0;           ///< LIGGGHTS's time minus the solver's
   std::vector<double> insertion;  ///< of this rank, insertion_state.h
 

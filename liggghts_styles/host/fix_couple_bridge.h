@@ -89,12 +89,12 @@ class FixCoupleBridge : public LAMMPS_NS::Fix {
   bool over_ = false;  ///< the solver has ended the coupled run
   bool spins_ = false, has_added_mass_ = false;
   bool forces_of_setup_ = false;
-  BridgeCheckpoint checkpoint_;  ///< the last one: of this run, or of the one that goes on
-  bool goes_on_ = false;         ///< and its first step is still to come
-  bool checkpoint_is_due_ = false;       ///< at the next exchange
-  LAMMPS_NS::bigint home_step_ = -1;     ///< when the atoms were brought home last
-  int held_ = 0;       ///< group bits of the atoms that fix freeze holds
-  double dt_s_ = 0.0;  ///< agreed on
+  BridgeCheckpoint checkpoint_;       ///< the last one: of this run, or of the one that goes on
+  bool goes_on_ = false;              ///< and its first step is still to come
+  bool checkpoint_is_due_ = false;    ///< at the next exchange
+  LAMMPS_NS::bigint home_step_ = -1;  ///< when the atoms were brought home last
+  int held_ = 0;                      ///< group bits of the atoms that fix freeze holds
+  double dt_s_ = 0.0;                 ///< agreed on
   LAMMPS_NS::bigint next_exchange_ = -1;
   double exchange_s_ = 0.0;
   double impulse_[3] = {0, 0, 0};       ///< of all reactions on this rank since the last exchange

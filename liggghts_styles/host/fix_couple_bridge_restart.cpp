@@ -22,6 +22,12 @@ namespace powderlink::host {
 
 using namespace LAMMPS_NS;
 
+namespace {
+
+constexpr int kReleaseStep = 4;  ///< column of the property of release()
+
+}  // namespace
+
 void FixCoupleBridge::go_home(bigint step) {
   // The state is that of the step before the one that LIGGGHTS has begun to count.
   update->ntimestep = step;
@@ -33,10 +39,6 @@ void FixCoupleBridge::go_home(bigint step) {
 /// The property that fix insert/stream has its steps of release in; it counts them anew in a restart.
 FixPropertyAtom* FixCoupleBridge::release() const {
   return dynamic_cast<FixPropertyAtom*>(modify->find_fix_id("release_fix_insert_stream"));
-}
-
-namespace {
-constexpr int kReleaseStep = 4;  ///< column of that property
 }
 
 void FixCoupleBridge::save(bigint step) {
@@ -52,7 +54,6 @@ void FixCoupleBridge::save(bigint step) {
     if (releases) kept[FluidProperties::kRelease] = releases->array_atom[i][kReleaseStep];
   }
   checkpoint_.step = step;
-  checkpoint_.dt_s = dt_s_;
   checkpoint_.insertion = insertion_state(lmp);
   update->ntimestep = step;
   const std::string problem = write_checkpoint(lmp, file);

@@ -24,6 +24,7 @@ struct Contacts {
   const char* options;
   bool mesh;
   int ranks;
+  const char* more = "";  ///< lines of the script
 };
 
 void PrintTo(const Contacts& c, std::ostream* out) { *out << c.name; }
@@ -54,6 +55,7 @@ std::string bed(const LiggghtsCase& c, const Contacts& contacts) {
                 "fix speed all property/global characteristicVelocity scalar 2.0\n");
   if (contacts.ranks == 2) script = "processors 2 1 1\n" + script;
   script += contacts.mesh ? mesh_plate(s) : primitive_plate(s);
+  script += contacts.more;
   return script + "fix weight all gravity 9.81 vector 0 0 -1\n" + kGas + dump_lines(10) +
          "dump more all custom 10 more.dump id omegax omegay\n"
          "dump_modify more sort id format \"%d %.17g %.17g\"\n";
@@ -116,6 +118,8 @@ TEST_P(CoupleBridgeContacts, GoOnExactly) {
   EXPECT_GT(overlaps(after), 50) << "hardly a contact: little was tested";
 }
 
+constexpr const char* kMotion = "fix motion all move/mesh mesh cad linear 0.2 0. 0.1\n";
+
 const Contacts kContacts[] = {
     {"hertz_primitive_1", "hertz", " tangential history", false, 1},
     {"hertz_primitive_2", "hertz", " tangential history", false, 2},
@@ -125,6 +129,8 @@ const Contacts kContacts[] = {
     {"hooke_primitive_1", "hooke", " tangential history", false, 1},
     {"jkr_primitive_1", "jkr", " tangential history", false, 1},
     {"jkr_primitive_2", "jkr", " tangential history rolling_friction cdt", false, 2},
+    {"hertz_moving_mesh_1", "hertz", " tangential history", true, 1, kMotion},
+    {"hertz_moving_mesh_2", "hertz", " tangential history", true, 2, kMotion},
     {"jkr_mesh_1", "jkr", " tangential history", true, 1},
     {"jkr_mesh_2", "jkr", " tangential history rolling_friction epsd2", true, 2},
 };
@@ -200,8 +206,8 @@ TEST(CoupleBridgeInsertion, TheSameGrainsCome) {
               "variable lost equal f_drain[5]\n"
               "fix counts all print 10 \"${at} ${came} ${mass} ${went} ${lost}\" file counts.txt "
               "screen no title none\n";
-    expect_continuation(c, script, "box=-1e-3,1e-3 wind=1,0,0 stokes=2e-5", ranks,
-                        {"all.dump"}, "counts.txt");
+    expect_continuation(c, script, "box=-1e-3,1e-3 wind=1,0,0 stokes=2e-5", ranks, {"all.dump"},
+                        "counts.txt");
     const auto dump = read_dump(c.folder() / "all.dump");
     const auto& last = dump.at(kEnd);
     long highest = 0;

@@ -159,7 +159,8 @@ int run(const Settings& settings) {
   hello.case_name = settings.text("case");
   hello.ranks = link.world.ranks;
   hello.exchange_interval_s = settings.number("interval", 0.0);
-  hello.clock = {settings.number("time", 0.0), settings.has("ahead"), settings.number("ahead", 0.0)};
+  hello.clock = {settings.number("time", 0.0), settings.has("ahead"),
+                 settings.number("ahead", 0.0)};
   hello.needs = {fields::id,     fields::position, fields::velocity,        fields::spin,
                  fields::radius, fields::density,  fields::reaction_impulse};
   hello.offers = gas.offers();
