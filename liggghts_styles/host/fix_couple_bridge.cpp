@@ -60,7 +60,7 @@ void FixCoupleBridge::pre_delete(bool unfixflag) {
 }
 
 int FixCoupleBridge::setmask() {
-  return FixConst::PRE_INITIAL_INTEGRATE | FixConst::PRE_FINAL_INTEGRATE;
+  return FixConst::PRE_INITIAL_INTEGRATE | FixConst::PRE_FINAL_INTEGRATE | FixConst::POST_RUN;
 }
 
 void FixCoupleBridge::stop(const std::string& message) const {

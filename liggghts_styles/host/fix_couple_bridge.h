@@ -49,6 +49,7 @@ class FixCoupleBridge : public LAMMPS_NS::Fix {
   void setup(int vflag) override;
   void pre_initial_integrate() override;
   void pre_final_integrate() override;
+  void post_run() override;
   double compute_vector(int n) override;
   void write_restart(std::FILE* file) override;
   void restart(char* state) override;

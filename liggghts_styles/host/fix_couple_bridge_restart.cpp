@@ -29,10 +29,11 @@ constexpr int kReleaseStep = 4;  ///< column of the property of release()
 }  // namespace
 
 void FixCoupleBridge::go_home(bigint step) {
-  // The state is that of the step before the one that LIGGGHTS has begun to count.
+  // In a run LIGGGHTS has begun to count the next step already.
+  const bigint counted = update->ntimestep;
   update->ntimestep = step;
   bring_atoms_home(lmp);
-  update->ntimestep = step + 1;
+  update->ntimestep = counted;
   home_step_ = step;
 }
 
@@ -55,11 +56,18 @@ void FixCoupleBridge::save(bigint step) {
   }
   checkpoint_.step = step;
   checkpoint_.insertion = insertion_state(lmp);
+  const bigint counted = update->ntimestep;
   update->ntimestep = step;
   const std::string problem = write_checkpoint(lmp, file);
-  update->ntimestep = step + 1;
+  update->ntimestep = counted;
   if (!problem.empty()) stop(problem);
   say("wrote " + file);
+}
+
+/// The script may end here: nobody would ask for the checkpoint that is due at this moment. Should a
+/// run follow, its first exchange makes it again.
+void FixCoupleBridge::post_run() {
+  if (!over_ && checkpoint_is_due_ && update->ntimestep == next_exchange_) save(next_exchange_);
 }
 
 void FixCoupleBridge::go_on(bigint step) {

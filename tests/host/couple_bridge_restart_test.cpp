@@ -79,13 +79,19 @@ int overlaps(const Snapshot& grains) {
 /// Runs the script as a whole and again from its checkpoint; the columns that must agree.
 void expect_continuation(const LiggghtsCase& c, std::string script, const std::string& gas,
                          int ranks, const std::vector<const char*>& dumps,
-                         const char* counts = nullptr) {
+                         const char* counts = nullptr, int stop = kEnd) {
   Outcome o = c.couple(script + "run " + std::to_string(kEnd) + "\n",
                        {interval() + gas + " checkpoint=12", ranks, 1});
   ASSERT_EQ(o.status, 0) << o.output;
   std::vector<std::map<long, Snapshot>> whole;
   for (const char* dump : dumps) whole.push_back(read_dump(c.folder() / dump));
   const auto counted = counts ? read_log(c.folder() / counts) : read_log("");
+  if (stop != kEnd) {
+    std::filesystem::remove_all(c.folder() / "post");
+    o = c.couple(script + "run " + std::to_string(stop) + "\n",
+                 {interval() + gas + " checkpoint=12", ranks, 1});
+    ASSERT_EQ(o.status, 0) << o.output;
+  }
   const auto at = script.find(kData);
   script.replace(at, script.find('\n', at) - at, "read_restart post/restart.120");
   o = c.couple(script + "run " + std::to_string(kEnd) + " upto\n",
@@ -170,6 +176,15 @@ TEST(CoupleBridgeMoments, ParticlesOfAnotherMomentThanTheFluidAreRefused) {
   script.replace(script.find("fix gas"), 7, "fix air");
   o = c.couple(script + "run 20\n", {gas + "time=0", 1, 1, true});
   EXPECT_EQ(o.status, 0) << o.output;
+}
+
+/// The script ends at the moment of a checkpoint, before the exchange of that step.
+TEST(CoupleBridgeContactsAtTheEnd, TheCheckpointOfTheLastStepIsMade) {
+  for (const Contacts& contacts : {kContacts[0], kContacts[3]}) {
+    const LiggghtsCase c(std::string("couple_end_") + contacts.name);
+    expect_continuation(c, bed(c, contacts), kBedGas, contacts.ranks, {"all.dump", "more.dump"},
+                        nullptr, kCheckpoint);
+  }
 }
 
 /// Grains that come through a face and in a region, with random places, sizes and speeds, and go.

@@ -68,11 +68,11 @@ case $test in
   socket) run --end-time 0.002 --transport socket ;;
   jkr) run --end-time 0.002 --contact jkr ;;
   continued | continued_ranks)
-    options=(--write-interval 0.001)
-    [[ $test == continued ]] || options+=(--ranks 2 --dem-ranks 2 --contact jkr)
+    # Stopped at a write time, or after it, so that what was done since is lost.
+    options=(--write-interval 0.001) stop=0.001
+    [[ $test == continued ]] || options+=(--ranks 2 --dem-ranks 2 --contact jkr) stop=0.0015
     run "${options[@]}" --end-time 0.002
-    # Ends after the checkpoint of 1 ms, and loses what it did since.
-    run "${options[@]}" --end-time 0.0015 --out "$out/stopped"
+    run "${options[@]}" --end-time $stop --out "$out/stopped"
     run "${options[@]}" --end-time 0.002 --out "$out/stopped" --continue
     same_run "$out/stopped"
     ;;
