@@ -124,7 +124,7 @@ TEST_P(CoupleBridgeContacts, GoOnExactly) {
   EXPECT_GT(overlaps(after), 50) << "hardly a contact: little was tested";
 }
 
-constexpr const char* kMotion = "fix motion all move/mesh mesh cad linear 0.2 0. 0.1\n";
+constexpr const char* kMotion = "fix motion all move/mesh mesh cad linear 0.2 -0.1 0.\n";
 
 const Contacts kContacts[] = {
     {"hertz_primitive_1", "hertz", " tangential history", false, 1},

@@ -75,6 +75,17 @@ case $test in
     run "${options[@]}" --end-time $stop --out "$out/stopped"
     run "${options[@]}" --end-time 0.002 --out "$out/stopped" --continue
     same_run "$out/stopped"
+    [[ $test == continued ]] || exit 0
+    # New particles beside the fields of 2 ms.
+    cd "$out/stopped/case"
+    export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
+    code=0
+    timeout 60 mpirun --oversubscribe --bind-to none --mca mpi_yield_when_idle 1 \
+      -np 1 "$POWDERLINK_BIN/liggghts-powderlink" -in in.pipe -var length 0.03 : \
+      -np 1 "$POWDERLINK_BIN/powderFoam" >log.other 2>&1 || code=$?
+    [[ $code != 0 && $code != 124 ]] || fail "new particles beside old fields: status $code"
+    grep -q 'solver goes on from its checkpoint of 0.002 s, dem starts at 0 s' log.other ||
+      fail "new particles beside old fields: no clear error in $PWD/log.other"
     ;;
   killed)
     options=(--write-interval 0.0005 --end-time 0.002)
