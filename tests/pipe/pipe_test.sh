@@ -62,6 +62,7 @@ kill_in_run() {  # beginning of the program's name, file or any
   [[ $code != 124 ]] || fail "the other program went on after $1 was killed"
 }
 
+rm -rf "$out"
 case $test in
   one_rank) run --end-time 0.003 ;;
   two_ranks) run --end-time 0.002 --ranks 2 --dem-ranks 2 ;;
