@@ -48,14 +48,14 @@ double rounding_of(const std::string& name, double time_s) {
   return 0.5 * std::pow(10.0, std::floor(std::log10(std::abs(time_s))) + 1.0 - digits);
 }
 
-/// `value 0.0125;` in <T>/uniform/time.
-std::optional<double> exact_time(const fs::path& folder) {
-  std::ifstream in(folder / "uniform" / "time");
+/// A number of a dictionary, as `value 0.0125;`.
+std::optional<double> number_in(const fs::path& file, const std::string& name) {
+  std::ifstream in(file);
   std::string key, value;
   std::string line;
   while (std::getline(in, line)) {
     std::istringstream words(line);
-    if (words >> key >> value && key == "value" && value.back() == ';') {
+    if (words >> key >> value && key == name && value.back() == ';') {
       value.pop_back();
       return whole_number<double>(value);
     }
@@ -145,10 +145,13 @@ std::vector<FieldCheckpoint> find_fields(const fs::path& case_folder) {
     checkpoint.name = name;
     checkpoint.time_s = *whole_number<double>(name);
     checkpoint.rounding_s = rounding_of(name, checkpoint.time_s);
-    if (const auto exact = exact_time(roots.front() / name)) {
+    const fs::path uniform = roots.front() / name / "uniform";
+    if (const auto exact = number_in(uniform / "time", "value")) {
       checkpoint.time_s = *exact;
       checkpoint.rounding_s = 0.0;
     }
+    checkpoint.particles_ahead_s =
+        number_in(uniform / "couplingClock", "particlesAhead").value_or(0.0);
     judge(checkpoint, roots);
     found.push_back(std::move(checkpoint));
   }
@@ -209,18 +212,23 @@ std::vector<DemCheckpoint> find_dem(const fs::path& case_folder) {
   return found;
 }
 
+double particles_time_s(const FieldCheckpoint& fields) {
+  return fields.time_s + fields.particles_ahead_s;
+}
+
+double apart_s(const FieldCheckpoint& fields, const DemCheckpoint& dem, double dt_s) {
+  return std::abs(particles_time_s(fields) - static_cast<double>(dem.step) * dt_s);
+}
+
 bool same_time(const FieldCheckpoint& fields, const DemCheckpoint& dem, double dt_s) {
-  const double apart = std::abs(fields.time_s - static_cast<double>(dem.step) * dt_s);
-  return apart < std::max(0.5 * dt_s, fields.rounding_s);
+  return apart_s(fields, dem, dt_s) < std::max(0.5 * dt_s, fields.rounding_s);
 }
 
 /// The step closest to the fields' time, if it is that time.
 const DemCheckpoint* partner(const FieldCheckpoint& fields, const std::vector<DemCheckpoint>& dem,
                              double dt_s) {
   const DemCheckpoint* best = nullptr;
-  const auto apart = [&](const DemCheckpoint& d) {
-    return std::abs(fields.time_s - static_cast<double>(d.step) * dt_s);
-  };
+  const auto apart = [&](const DemCheckpoint& d) { return apart_s(fields, d, dt_s); };
   for (const DemCheckpoint& d : dem) {
     if (same_time(fields, d, dt_s) && (best == nullptr || apart(d) < apart(*best))) best = &d;
   }
@@ -255,7 +263,7 @@ std::vector<std::string> Checkpoints::refused() const {
     const DemCheckpoint* d = partner(f, dem, time_step_s);
     std::string why = f.missing;
     if (why.empty() && d == nullptr) {
-      why = fmt::format("no post/restart.{:.0f} beside it", f.time_s / time_step_s);
+      why = fmt::format("no post/restart.{:.0f} beside it", particles_time_s(f) / time_step_s);
     } else if (why.empty()) {
       why = d->missing;
     }

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file checkpoints.h
 /// Pairs of checkpoints of a coupled case: the solver's fields at a time T and LIGGGHTS's restart
-/// file of the step with step dt = T.
+/// file of the step with step dt = T, the moment of both.
 ///   fields   CASE/<T>/ or CASE/processor*/<T>/ with U, p, phi, alphaf, and in every processor the
 ///            same files; a file is whole when OpenFOAM's last line closes it
 ///   restart  CASE/post/restart.<step>, whole when it has this name (its writer renames it at the
 ///            end), not empty, and its head carries this step
+/// When the particles' clock is ahead of the fluid's (a bed that had settled before), the step is that
+/// of T plus the difference, which powderFoam keeps in <T>/uniform/couplingClock.
 /// T is read from <T>/uniform/time where that is given; the folder's name may be rounded. Times
 /// agree when they differ by less than half a DEM step, or by the rounding of the name.
 /// Tests: tests/analysis/restart_test.cpp
@@ -21,6 +23,7 @@ namespace powderlink::analysis {
 struct FieldCheckpoint {
   std::string name;  ///< of the time folders
   double time_s = 0.0;
+  double particles_ahead_s = 0.0;              ///< clock of the particles minus time_s
   double rounding_s = 0.0;                     ///< of time_s
   std::vector<std::filesystem::path> folders;  ///< one, or one per processor
   std::string missing;                         ///< why it is not complete; empty when it is

@@ -18,6 +18,7 @@ using Kind = BridgeError::Kind;
 const FieldSpec state_word{"dem_state", "1", scalar, ElementType::int32};
 const FieldSpec command_word{"solver_command", "1", scalar, ElementType::int32};
 const FieldSpec checkpoint_word{"solver_checkpoint", "1", scalar, ElementType::int32};
+const FieldSpec next_word{"solver_checkpoint_next", "1", scalar, ElementType::int32};
 
 const FieldSpec map_origin{"rank_map_origin", "m", vector3};
 const FieldSpec map_spacing{"rank_map_spacing", "m", vector3};
@@ -330,6 +331,7 @@ SolverWord DemLink::receive_values(const std::vector<MutableColumnView>& columns
     const auto command = word_of<std::int32_t>(frame, command_word);
     word.command = command == static_cast<int>(Command::stop) ? Command::stop : Command::go_on;
     word.checkpoint = word_of<std::int32_t>(frame, checkpoint_word) == 1;
+    word.checkpoint_next = word_of<std::int32_t>(frame, next_word) == 1;
   });
   line.share(word);
   if (word.command == Command::stop) {
@@ -399,7 +401,8 @@ void SolverLink::send_values(const SolverWord& word, const std::vector<ColumnVie
   Line& line = parts_->line;
   line.first_rank([&] {
     line.say({{command_word, static_cast<std::int32_t>(word.command)},
-              {checkpoint_word, word.checkpoint ? 1 : 0}});
+              {checkpoint_word, word.checkpoint ? 1 : 0},
+              {next_word, word.checkpoint_next ? 1 : 0}});
   });
   if (word.command == Command::stop) {
     line.say_goodbye();

@@ -55,6 +55,8 @@ enum class Command : std::int32_t { go_on = 0, stop = 1 };
 struct SolverWord {
   Command command = Command::go_on;
   bool checkpoint = false;  ///< the solver's state of the time of this exchange is on disk
+  /// So it will be at the next exchange, as far as the solver can tell: time to put things in order.
+  bool checkpoint_next = false;
 };
 
 class DemLink {

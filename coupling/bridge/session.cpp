@@ -93,6 +93,26 @@ void check_needs(const Hello& reader, const Hello& writer) {
   }
 }
 
+/// Both start at the same moment: a hundredth of an interval, as checkpoints are at exchanges only,
+/// and what six digits of a time's text may lose.
+void check_clock(const Hello& reader, const Hello& writer) {
+  const Clock& mine = reader.clock;
+  if (!mine.continues) return;
+  const double interval_s = std::max(reader.exchange_interval_s, writer.exchange_interval_s);
+  const double rounding_s = 1e-6 * std::max(std::abs(mine.time_s), std::abs(writer.clock.time_s));
+  const double expected_s = mine.time_s - mine.ahead_s;
+  if (std::abs(writer.clock.time_s - expected_s) <=
+      std::min(0.01 * interval_s + rounding_s, 0.49 * interval_s)) {
+    return;
+  }
+  throw no_fit("states at the start",
+               reader.role + " goes on from its checkpoint of " + number(mine.time_s) + " s, " +
+                   writer.role + " starts at " + number(writer.clock.time_s) + " s",
+               writer.role + " at " + number(expected_s) + " s, as when that checkpoint was made",
+               "start both from a pair of checkpoints: powderlink restart CASE --prepare; or " +
+                   reader.role + " without its checkpoint, as a new coupled run");
+}
+
 void check_own(const Hello& hello) {
   const auto refuse = [](const std::string& what, const std::string& given,
                          const std::string& allowed) {
@@ -109,6 +129,10 @@ void check_own(const Hello& hello) {
   if (hello.ranks < 1) refuse("ranks", std::to_string(hello.ranks), "1 or more");
   if (!(hello.exchange_interval_s >= 0.0 && std::isfinite(hello.exchange_interval_s))) {
     refuse("exchange interval", number(hello.exchange_interval_s) + " s", "0 s or more");
+  }
+  if (!std::isfinite(hello.clock.time_s) || !std::isfinite(hello.clock.ahead_s)) {
+    refuse("clock", number(hello.clock.time_s) + " s, " + number(hello.clock.ahead_s) + " s ahead",
+           "finite times");
   }
   for (const auto* list : {&hello.offers, &hello.needs}) {
     for (const FieldSpec& field : *list) {
@@ -137,6 +161,9 @@ std::string to_text(const Hello& hello) {
                      {"case", hello.case_name},
                      {"ranks", hello.ranks},
                      {"exchange_interval_s", hello.exchange_interval_s},
+                     {"time_s", hello.clock.time_s},
+                     {"continues", hello.clock.continues},
+                     {"ahead_s", hello.clock.ahead_s},
                      {"offers", to_json(hello.offers)},
                      {"needs", to_json(hello.needs)}};
   return text.dump(-1, ' ', true, json::error_handler_t::replace);
@@ -150,14 +177,18 @@ Hello hello_from_text(std::string_view text) {
     hello.case_name = parsed.at("case").get<std::string>();
     hello.ranks = parsed.at("ranks").get<int>();
     hello.exchange_interval_s = parsed.at("exchange_interval_s").get<double>();
+    hello.clock.time_s = parsed.at("time_s").get<double>();
+    hello.clock.continues = parsed.at("continues").get<bool>();
+    hello.clock.ahead_s = parsed.at("ahead_s").get<double>();
     hello.offers = fields_from_json(parsed.at("offers"));
     hello.needs = fields_from_json(parsed.at("needs"));
     check_own(hello);
     return hello;
   } catch (const json::exception& e) {
-    throw BridgeError(Kind::bad_frame, "hello of the other program", e.what(),
-                      "role, case, ranks, exchange_interval_s, offers, needs",
-                      "build both programs from the same release of powderlink");
+    throw BridgeError(
+        Kind::bad_frame, "hello of the other program", e.what(),
+        "role, case, ranks, exchange_interval_s, time_s, continues, ahead_s, offers, needs",
+        "build both programs from the same release of powderlink");
   } catch (const BridgeError& e) {
     throw BridgeError(Kind::bad_frame, std::string("hello of the other program: ") + e.what());
   }
@@ -188,6 +219,8 @@ void check_fit(const Hello& one, const Hello& other) {
   }
   check_needs(a, b);
   check_needs(b, a);
+  check_clock(a, b);
+  check_clock(b, a);
 }
 
 Session::Session(std::unique_ptr<Transport> transport, Hello mine, double timeout_s)

@@ -16,6 +16,15 @@
 
 namespace powderlink::bridge {
 
+/// The clock of one side at the first exchange, and what it knows of the other's.
+struct Clock {
+  double time_s = 0.0;
+  /// The state is that of a checkpoint of a coupled run: the other side must be at the same moment.
+  bool continues = false;
+  /// In that run: this clock minus the other one [s], constant as long as the run goes on.
+  double ahead_s = 0.0;
+};
+
 struct Hello {
   std::string role;       ///< "dem", "solver"; the two must differ
   std::string case_name;  ///< must be the same on both sides
@@ -24,6 +33,7 @@ struct Hello {
   double exchange_interval_s = 0.0;
   std::vector<FieldSpec> offers;  ///< fields this side can send
   std::vector<FieldSpec> needs;   ///< fields this side must get
+  Clock clock = {};
 };
 
 std::string to_text(const Hello& hello);

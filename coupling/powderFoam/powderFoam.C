@@ -132,7 +132,7 @@ int main(int argc, char *argv[])
 
             particles->endStep();
 
-            runTime.write();
+            particles->write(runTime);
 
             runTime.printExecutionTime(Info);
         }

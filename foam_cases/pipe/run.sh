@@ -87,16 +87,18 @@ start_coupled() {
   foam_case_run mapFields ../gas -consistent -sourceTime latestTime
 }
 
-# Mean of a column (x y z without brackets) over the times after a given one; a continued run has a
-# folder for each of its parts.
+# Mean of a column (x y z without brackets) over the times after a given one. A continued run has a
+# folder for each of its parts: the later part wins, as the end of an earlier one may be cut off.
 mean_after() {  # function object, file, column, time
   local parts
   parts=$(find "postProcessing/$1" -name "$2" | sort -t/ -k3,3g)
   # shellcheck disable=SC2086  # names of our own, without blanks
   awk -v column="$3" -v from="$4" '
     /^#/ { next }
-    $1 > from && $1 > last { gsub(/[()]/, " "); sum += $column; n++; last = $1 }
-    END { if (n) printf "%.9g", sum/n }' $parts
+    { gsub(/[()]/, " ") }
+    !columns { columns = NF }
+    NF == columns && $1 > from { value[$1] = $column }
+    END { for (time in value) { sum += value[time]; n++ } if (n) printf "%.9g", sum/n }' $parts
 }
 
 density=1.6355      # kg/m3, as in constant/transportProperties
@@ -110,7 +112,7 @@ if [[ $go_on == yes ]]; then
   foam_case_run "$foam_case_bin/powderlink" restart . --dt 4e-7 --prepare --json restart.json
   from_s=$(sed -n -E 's/.*"time_s": *([^,]*),.*/\1/p' restart.json)
   # What the first run has written after that time is written again.
-  awk -F, -v from="$from_s" 'NR == 1 || $1 <= from + 2e-7' post/particle_count.csv >post/count.part
+  awk -F, -v from="$from_s" 'NR == 1 || (NF == 9 && $1 <= from + 2e-7)' post/particle_count.csv >post/count.part
   mv post/count.part post/particle_count.csv
   set_times
   ranks=1

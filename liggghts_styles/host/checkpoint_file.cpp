@@ -15,9 +15,12 @@
 #include "atom_vec.h"
 #include "comm.h"
 #include "domain.h"
+#include "fix.h"
 #include "modify.h"
 #include "neighbor.h"
 #include "write_restart.h"
+
+#include "host/atom_order.h"
 
 namespace powderlink::host {
 
@@ -99,9 +102,17 @@ void bring_atoms_home(LAMMPS_NS::LAMMPS* lmp) {
   lmp->comm->setup();
   if (lmp->neighbor->style != 0) lmp->neighbor->setup_bins();
   lmp->comm->exchange();
+  set_atom_order(lmp);
   lmp->comm->borders();
   lmp->modify->pre_neighbor();
   lmp->neighbor->build();
+  // Lists of meshes name atoms by their place, which has changed. LIGGGHTS makes them anew when forces
+  // are due; fix massflow/mesh reads them before.
+  for (int i = 0; i < lmp->modify->nfix; ++i) {
+    LAMMPS_NS::Fix* fix = lmp->modify->fix[i];
+    const std::string style = fix->style;
+    if (style == "neighlist/mesh" || style == "contacthistory/mesh") fix->pre_force(0);
+  }
 }
 
 std::string write_checkpoint(LAMMPS_NS::LAMMPS* lmp, const std::string& file) {

@@ -37,6 +37,7 @@ FixCoupleBridge::FixCoupleBridge(LAMMPS* lmp, int narg, char** arg)
     stop(problem.what());
   }
   vector_flag = 1;
+  restart_global = 1;
   size_vector = 8;
   global_freq = 1;
   extvector = 0;
@@ -59,7 +60,7 @@ void FixCoupleBridge::pre_delete(bool unfixflag) {
 }
 
 int FixCoupleBridge::setmask() {
-  return FixConst::PRE_INITIAL_INTEGRATE | FixConst::PRE_FINAL_INTEGRATE;
+  return FixConst::PRE_INITIAL_INTEGRATE | FixConst::PRE_FINAL_INTEGRATE | FixConst::POST_RUN;
 }
 
 void FixCoupleBridge::stop(const std::string& message) const {
@@ -85,6 +86,7 @@ void FixCoupleBridge::pre_initial_integrate() {
   // LIGGGHTS counts the step before it does it: positions and velocities are those of this one.
   const bigint step = update->ntimestep - 1;
   if (update->dt != dt_s_) init();
+  if (goes_on_) go_on(step);
   if (!over_ && (next_exchange_ < 0 || step >= next_exchange_)) exchange(step);
   if (forces_of_setup_) scale_forces();
   forces_of_setup_ = false;

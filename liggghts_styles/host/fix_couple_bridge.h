@@ -22,6 +22,7 @@
 /// f_ID[6..8]  reaction impulse of particles that vanished before it could be sent [N s]
 #pragma once
 
+#include <cstdio>
 #include <memory>
 #include <string>
 #include <vector>
@@ -29,6 +30,7 @@
 #include "fix.h"
 
 #include "coupling/bridge/coupling_link.h"
+#include "host/bridge_checkpoint.h"
 #include "host/couple_bridge_options.h"
 #include "host/fluid_loan.h"
 #include "host/fluid_properties.h"
@@ -49,7 +51,10 @@ class FixCoupleBridge : public LAMMPS_NS::Fix {
   void setup(int vflag) override;
   void pre_initial_integrate() override;
   void pre_final_integrate() override;
+  void post_run() override;
   double compute_vector(int n) override;
+  void write_restart(std::FILE* file) override;
+  void restart(char* state) override;
 
  private:
   // --- link to the solver (fix_couple_bridge_exchange.cpp)
@@ -63,10 +68,15 @@ class FixCoupleBridge : public LAMMPS_NS::Fix {
   void store();
   void find_mean();
   void count_lost_impulse();
-  void save(LAMMPS_NS::bigint step);
   void end_by_solver(LAMMPS_NS::bigint step);
   [[noreturn]] void stop(const std::string& message) const;
   void say(const std::string& message) const;
+
+  // --- checkpoints (fix_couple_bridge_restart.cpp)
+  void go_home(LAMMPS_NS::bigint step);
+  void save(LAMMPS_NS::bigint step);
+  void go_on(LAMMPS_NS::bigint step);
+  LAMMPS_NS::FixPropertyAtom* release() const;
 
   // --- what the fluid does to a particle
   void relax();
@@ -83,8 +93,12 @@ class FixCoupleBridge : public LAMMPS_NS::Fix {
   bool over_ = false;  ///< the solver has ended the coupled run
   bool spins_ = false, has_added_mass_ = false;
   bool forces_of_setup_ = false;
-  int held_ = 0;       ///< group bits of the atoms that fix freeze holds
-  double dt_s_ = 0.0;  ///< agreed on
+  BridgeCheckpoint checkpoint_;       ///< the last one: of this run, or of the one that goes on
+  bool goes_on_ = false;              ///< and its first step is still to come
+  bool checkpoint_is_due_ = false;    ///< at the next exchange
+  LAMMPS_NS::bigint home_step_ = -1;  ///< when the atoms were brought home last
+  int held_ = 0;                      ///< group bits of the atoms that fix freeze holds
+  double dt_s_ = 0.0;                 ///< agreed on
   LAMMPS_NS::bigint next_exchange_ = -1;
   double exchange_s_ = 0.0;
   double impulse_[3] = {0, 0, 0};       ///< of all reactions on this rank since the last exchange

@@ -15,7 +15,6 @@
 #include "update.h"
 
 #include "coupling/bridge/coupling_fields.h"
-#include "host/checkpoint_file.h"
 #include "host/coupled_world.h"
 #include "host/fix_couple_bridge.h"
 #include "models/invalid_input.h"
@@ -84,6 +83,9 @@ void FixCoupleBridge::open_link() {
   hello.case_name = options_.case_name;
   MPI_Comm_size(world, &hello.ranks);
   hello.exchange_interval_s = options_.every * dt_s_;
+  hello.clock.time_s = static_cast<double>(update->ntimestep) * dt_s_;
+  hello.clock.continues = checkpoint_.step == update->ntimestep;
+  hello.clock.ahead_s = checkpoint_.ahead_s;
   hello.offers = {fields::id,     fields::position, fields::velocity,        fields::spin,
                   fields::radius, fields::density,  fields::reaction_impulse};
   hello.needs = {fields::fluid_velocity, fields::fluid_fraction, fields::drag_coefficient,
@@ -94,6 +96,8 @@ void FixCoupleBridge::open_link() {
     stop(problem.what());
   }
   note_other_program_met();
+  goes_on_ = hello.clock.continues;
+  checkpoint_.ahead_s = hello.clock.time_s - link_->peer().clock.time_s;
   for (const bridge::FieldSpec& field : link_->plan().to_dem) {
     has_added_mass_ = has_added_mass_ || field == fields::added_mass;
     spins_ = spins_ || field == fields::rotational_drag || field == fields::fluid_torque;
@@ -248,17 +252,6 @@ void FixCoupleBridge::count_lost_impulse() {
   for (int c = 0; c < 3; ++c) lost_impulse_[c] += lost[c];
 }
 
-void FixCoupleBridge::save(bigint step) {
-  const std::string file = options_.checkpoint_prefix + std::to_string(step);
-  // The state is that of the step before the one that LIGGGHTS has begun to count.
-  update->ntimestep = step;
-  bring_atoms_home(lmp);
-  const std::string problem = write_checkpoint(lmp, file);
-  update->ntimestep = step + 1;
-  if (!problem.empty()) stop(problem);
-  say("wrote " + file);
-}
-
 void FixCoupleBridge::end_by_solver(bigint step) {
   over_ = true;
   say("the solver ended the coupled run at step " + std::to_string(step) + ", time " +
@@ -270,6 +263,7 @@ void FixCoupleBridge::end_by_solver(bigint step) {
 
 void FixCoupleBridge::exchange(bigint step) {
   const double start = MPI_Wtime();
+  if (checkpoint_is_due_) go_home(step);
   bridge::SolverWord word;
   try {
     std::vector<int> destination;
@@ -286,6 +280,7 @@ void FixCoupleBridge::exchange(bigint step) {
     stop(problem.what());
   }
   exchange_s_ += MPI_Wtime() - start;
+  checkpoint_is_due_ = word.checkpoint_next;
   if (word.command == bridge::Command::stop) {
     if (word.checkpoint) save(step);
     end_by_solver(step);

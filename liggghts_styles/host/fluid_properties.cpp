@@ -29,7 +29,8 @@ const Property kProperties[] = {{"fluidVelocity", 3, "0.", &fields::fluid_veloci
                                 {"rotationalDrag", 1, "0.", &fields::rotational_drag},
                                 {"fluidTorque", 3, "0.", &fields::fluid_torque},
                                 {"addedMass", 1, "0.", &fields::added_mass},
-                                {"couplingStep", FluidProperties::kStepColumns, "0.", nullptr}};
+                                {"couplingStep", FluidProperties::kStepColumns, "0.", nullptr},
+                                {"couplingKept", FluidProperties::kKeptColumns, "0.", nullptr}};
 
 }  // namespace
 

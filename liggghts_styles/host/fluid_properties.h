@@ -20,6 +20,9 @@ class FluidProperties {
  public:
   /// Columns of the hidden property `couplingStep`.
   enum Step { kState, kA, kD, kSpinA = kD + 3, kSpinD, kStepColumns = kSpinD + 3 };
+  /// Columns of the hidden property `couplingKept`, valid at a checkpoint only: what LIGGGHTS makes
+  /// anew at the start of a run. The step of release is that of fix insert/stream.
+  enum Kept { kForce, kTorque = kForce + 3, kRelease = kTorque + 3, kKeptColumns };
   /// What column kState says; new atoms have kNew.
   enum State { kNew = 0, kOwn = 1, kBorrowed = 2, kNothing = 3 };
 
@@ -47,6 +50,7 @@ class FluidProperties {
   double** fluid_torque() const { return all_[9]->array_atom; }
   double* added_mass() const { return all_[10]->vector_atom; }
   double** step() const { return all_[11]->array_atom; }
+  double** kept() const { return all_[12]->array_atom; }
 
  private:
   LAMMPS_NS::LAMMPS* lmp_;

@@ -106,6 +106,15 @@ TEST_F(Restart, TimesThatDoNotMeet) {
   expect_last("0.02", 100000, "no post/restart.150000");
 }
 
+TEST_F(Restart, ClocksMayDifferByWhatTheSolverHasWritten) {
+  // The bed had settled for 0.01 s before: fields of 0.02 s belong to step 150000.
+  write_in(folder_, "0.02/uniform/couplingClock", "FoamFile\n{\n}\nparticlesAhead  0.01;\n");
+  write_in(folder_, "0.03/uniform/couplingClock", "FoamFile\n{\n}\nparticlesAhead  0.01;\n");
+  expect_last("0.02", 150000, "fields of time 0.03: no post/restart.200000");
+  dem(200000);
+  expect_last("0.03", 200000, "");
+}
+
 TEST_F(Restart, RoundedNamesAreReadExactly) {
   // Four digits in the name; the file in it says 0.06123444 s, which is step 306172.2.
   fields("0.06123");

@@ -155,6 +155,7 @@ void damage_first(TransportPtr transport) {
   Bytes hello;
   bridge::encode_text(hello, bridge::MessageKind::hello,
                       R"({"role":"dem","case":"pipe","ranks":1,"exchange_interval_s":0,)"
+                      R"("time_s":0,"continues":false,"ahead_s":0,)"
                       R"("offers":[],"needs":[]})");
   send(*transport, hello);
   receive(*transport);

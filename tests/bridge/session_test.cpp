@@ -2,6 +2,7 @@
 // What two programs must agree on before they exchange anything.
 #include "coupling/bridge/session.h"
 
+#include <cmath>
 #include <functional>
 #include <thread>
 
@@ -65,10 +66,14 @@ TEST(Session, ProgramsThatFitShakeHands) {
 TEST(Session, HelloSurvivesTheWay) {
   Hello hello = dem();
   hello.case_name = "pipe \"A\"\n\xff";
+  hello.clock = {0.1, true, -0.25};
   const Hello back = bridge::hello_from_text(bridge::to_text(hello));
   EXPECT_EQ(back.role, hello.role);
   EXPECT_EQ(back.ranks, 1);
   EXPECT_EQ(back.exchange_interval_s, 1e-5);
+  EXPECT_EQ(back.clock.time_s, 0.1);
+  EXPECT_TRUE(back.clock.continues);
+  EXPECT_EQ(back.clock.ahead_s, -0.25);
   EXPECT_EQ(back.offers, hello.offers);
   EXPECT_EQ(back.needs, hello.needs);
 }
@@ -103,6 +108,32 @@ TEST(Session, AnIntervalOfZeroTakesThatOfTheOtherSide) {
   EXPECT_EQ("", shake_hands(dem(), other).first.text);
 }
 
+/// Exchanges every 1e-5 s; the particles' clock was 0.25 s ahead of the fluid's.
+TEST(Session, CheckpointsOfDifferentMomentsAreRefused) {
+  const auto clocks = [](bridge::Clock particles, bridge::Clock fluid) {
+    Hello one = dem(), other = solver();
+    one.clock = particles;
+    other.clock = fluid;
+    return std::make_pair(one, other);
+  };
+  const auto good = [&](bridge::Clock particles, bridge::Clock fluid) {
+    const auto [one, other] = clocks(particles, fluid);
+    EXPECT_EQ("", shake_hands(one, other).first.text);
+  };
+  const auto bad = [&](bridge::Clock particles, bridge::Clock fluid, const char* words) {
+    const auto [one, other] = clocks(particles, fluid);
+    expect_same_error(one, other, words);
+  };
+  good({0.25, false, 0.0}, {0.0, false, 0.0});  // a new run, with a bed that has settled before
+  good({0.35, true, 0.25}, {0.1, true, -0.25});
+  good({0.35, false, 0.0}, {0.1, true, -0.25});  // a restart file that does not know of the run
+  good({0.35, true, 0.25}, {0.1 + 1e-7, true, -0.25});  // six digits
+  bad({0.35, true, 0.25}, {0.1 + 1e-5, true, -0.25}, "solver starts at 0.10001 s");
+  bad({0.35, true, 0.25}, {0.0, false, 0.0},
+      "dem goes on from its checkpoint of 0.35 s, solver starts at 0 s");
+  bad({0.0, false, 0.0}, {0.1, true, -0.25}, "solver goes on from its checkpoint of 0.1 s");
+}
+
 TEST(Session, OwnMistakesAreNamedBeforeTheHandshake) {
   const auto refused = [](const std::function<void(Hello&)>& spoil, const std::string& words) {
     Hello hello = dem();
@@ -115,6 +146,7 @@ TEST(Session, OwnMistakesAreNamedBeforeTheHandshake) {
   refused([](Hello& h) { h.case_name.clear(); }, "case name");
   refused([](Hello& h) { h.ranks = 0; }, "ranks");
   refused([](Hello& h) { h.exchange_interval_s = -1.0; }, "interval");
+  refused([](Hello& h) { h.clock.time_s = std::nan(""); }, "clock");
   refused([](Hello& h) { h.offers.push_back(velocity); }, "twice");
   refused([](Hello& h) { h.needs[0].unit.clear(); }, "unit");
 }

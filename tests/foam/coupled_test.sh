@@ -51,9 +51,12 @@ control() { sed -i -E "s/^($1 +)[^;]*;/\1$2;/" system/controlDict; }
 mpi() {  # one mpirun; ranks of the DEM, ranks of powderFoam, words for the DEM
   local dem=$1 foam=$2 parallel=
   shift 2
+  local solver=("$bin/powderFoam")
+  # Longer files fail as on a full disk; in blocks of 512 bytes.
+  [[ -z ${limit_blocks:-} ]] || solver=(sh -c "trap '' XFSZ; ulimit -f $limit_blocks; exec \"\$@\"" sh "${solver[@]}")
   [[ $foam == 1 ]] || { parallel=-parallel; decomposePar -force >log.decomposePar 2>&1; }
   timeout $limit_s mpirun --oversubscribe --bind-to none --mca mpi_yield_when_idle 1 \
-    -np "$dem" "$fake_dem" "$@" : -np "$foam" "$bin/powderFoam" $parallel >log 2>&1
+    -np "$dem" "$fake_dem" "$@" : -np "$foam" "${solver[@]}" $parallel >log 2>&1
 }
 run() { mpi 1 1 "$@" || { failed "$case_dir: exit status $?"; tail -n 20 log >&2; }; }
 solver_is_silent() { ! grep -q . <(find . -maxdepth 1 -name '*e-*'); }
@@ -233,6 +236,51 @@ FIELDS
       run state="$whole/dem.state.100"
       same_fields "$exchange, restart" "$whole/0.0004" 0.0004 1e-10
       below "$exchange, restart: particles" "$(difference "$whole/dem.state" dem.state)" 1e-10
+    done
+    ;;
+  moments)
+    # A difference of the clocks is kept with the fields; other pairs are refused by both programs.
+    new_case ahead
+    control writeInterval 2e-4
+    run first_step=1000
+    grep -q 'time is ours plus 0.0020*[0-9]* s' log || failed "the clocks do not differ"
+    ahead=$PWD
+    again() {
+      new_case "$1"
+      control writeInterval 2e-4
+      control startFrom latestTime
+      cp -r "$ahead/0.0002" .
+    }
+    again same
+    run state="$ahead/dem.state.1100"
+    same_fields "clocks that differ, restart" "$ahead/0.0004" 0.0004 1e-10
+    for state in first_step=1000 first_step=0 state="$ahead/dem.state.1200"; do
+      again "other_${state##*[=.]}"
+      refused "particles of another moment, $state" "solver goes on from its checkpoint of 0.0002 s" \
+        "dem at 0.0022 s"
+      [[ ! -d 0.0004 ]] || failed "$state: the run went on"
+    done
+    ;;
+  full_disk)
+    # Of both kinds: a file that breaks off in the middle, and one that lacks its last bytes only, which
+    # OpenFOAM does not notice. Both programs stop, and the DEM is not told to make its part of a pair.
+    new_case enough
+    control writeInterval 2e-4
+    run
+    for ranks in 1 2; do
+      largest=$(find ../enough/0.0002 -type f -printf '%s\n' | sort -n | tail -n 1)
+      for limit_blocks in $((largest/512/ranks/2)) $(((largest - 1)/512)); do
+        # The sizes of two ranks' files are not known before.
+        [[ $ranks == 2 && $limit_blocks == $(((largest - 1)/512)) ]] && continue
+        new_case "full_${ranks}_$limit_blocks"
+        control writeInterval 2e-4
+        what="full disk, $ranks ranks, $limit_blocks blocks" code=0
+        mpi 1 $ranks || code=$?
+        [[ $code != 0 && $code != 124 ]] || failed "$what: status $code"
+        error_text "$what" "checkpoint of the fluid" "the disk did not take the whole file" "0.0002/"
+        [[ ! -e dem.state.100 ]] || failed "$what: half a pair"
+      done
+      unset limit_blocks
     done
     ;;
   schedules)

@@ -5,6 +5,7 @@
 // Prints the impulse that the solver took and, at the end, writes its state (text, by id) to FILE.
 //   transport=mpi|socket folder=. case=NAME dt=STEP every=N side=LENGTH low=LENGTH grid=N radius=R
 //   exchanges=MAX fixed=0|1 state=FILE (begin with it) out=FILE die_at=N (exit without a word)
+//   first_step=N (of its clock)
 #include <mpi.h>
 
 #include <unistd.h>
@@ -143,14 +144,15 @@ int run(const Options& options, const bridge::MpiWorld& world) {
                   fields::radius, fields::density,  fields::reaction_impulse};
   hello.needs = {fields::fluid_velocity, fields::fluid_fraction, fields::drag_coefficient,
                  fields::reacting_force, fields::pressure_force};
-  bridge::DemLink dem(world.local, link, hello, hello.needs);
-
   std::int64_t step = 0;
   Particles p;
   if (world.rank == 0) {
     p = options.count("state") ? load(options.at("state"), step) : lattice(options);
   }
+  if (options.count("first_step")) step = std::stol(options.at("first_step"));
   MPI_Bcast(&step, 1, MPI_INT64_T, 0, world.local);
+  hello.clock.time_s = static_cast<double>(step) * dt;
+  bridge::DemLink dem(world.local, link, hello, hello.needs);
   const std::size_t n = p.count();
   Values w{std::vector<double>(3 * n), std::vector<double>(n), std::vector<double>(n),
            std::vector<double>(3 * n), std::vector<double>(3 * n)};

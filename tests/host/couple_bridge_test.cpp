@@ -229,7 +229,7 @@ TEST(CoupleBridge, ARestartContinuesTheRun) {
 
     script.replace(script.find("read_data spheres.data"), 22, "read_restart post/restart.120");
     script.replace(script.find("run 200"), 7, "run 80");
-    o = c.couple(script, {interval() + kCloudGas + " log=log.txt", ranks, 1});
+    o = c.couple(script, {interval() + kCloudGas + " time=1.2e-4 ahead=0 log=log.txt", ranks, 1});
     ASSERT_EQ(o.status, 0) << o.output;
     expect_same(whole, read_dump(c.folder() / "all.dump")[200], 1e-10);
     const auto again = read_log(c.folder() / "log.txt");

@@ -8,6 +8,8 @@
 //   added_mass=C                    m_a = C m
 //   turn=SPIN,K_R,TORQUE            about z
 //   labels=1                        fluid velocity is (id, radius, x) instead, no drag
+//   time=T ahead=D                 clock at the start; with D: goes on from a checkpoint, D ahead of
+//                                  LIGGGHTS's
 //   stop=N checkpoint=N,M,... fail=N nan=N   numbers of exchanges, from 0
 //   unknown=1                       offers a field that LIGGGHTS has no use for
 //   log=FILE                        per exchange: step, time, particles, sum of reaction impulses
@@ -157,6 +159,8 @@ int run(const Settings& settings) {
   hello.case_name = settings.text("case");
   hello.ranks = link.world.ranks;
   hello.exchange_interval_s = settings.number("interval", 0.0);
+  hello.clock = {settings.number("time", 0.0), settings.has("ahead"),
+                 settings.number("ahead", 0.0)};
   hello.needs = {fields::id,     fields::position, fields::velocity,        fields::spin,
                  fields::radius, fields::density,  fields::reaction_impulse};
   hello.offers = gas.offers();
@@ -188,6 +192,7 @@ int run(const Settings& settings) {
     bridge::SolverWord word;
     word.command = settings.names("stop", n) ? bridge::Command::stop : bridge::Command::go_on;
     word.checkpoint = settings.names("checkpoint", n);
+    word.checkpoint_next = settings.names("checkpoint", n + 1);
     std::vector<bridge::ColumnView> columns;
     for (const auto& column : gas.values(table, settings.names("nan", n))) {
       columns.emplace_back(column.data(), table.particles);

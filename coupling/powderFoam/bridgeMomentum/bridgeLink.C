@@ -134,6 +134,7 @@ Foam::bridgeLink::bridgeLink
     const std::vector<bridge::FieldSpec>& needs,
     const std::vector<bridge::FieldSpec>& offers,
     const scalar interval,
+    const bridge::Clock& clock,
     const rankMap& map
 )
 :
@@ -152,6 +153,7 @@ Foam::bridgeLink::bridgeLink
     );
     hello.ranks = Pstream::nProcs();
     hello.exchange_interval_s = interval;
+    hello.clock = clock;
     hello.needs = needs;
     hello.offers = offers;
 

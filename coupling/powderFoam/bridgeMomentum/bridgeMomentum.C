@@ -6,6 +6,7 @@
 #include "addToRunTimeSelectionTable.H"
 #include "turbulentTransportModel.H"
 #include "fvcDdt.H"
+#include "writtenFiles.H"
 #include "zeroGradientFvPatchFields.H"
 
 namespace bridge = powderlink::bridge;
@@ -77,7 +78,8 @@ void Foam::bridgeMomentum::sendValues()
     const bridgeValues values(forces_, rows_, particles_.ownership());
     link_.sendValues
     (
-        {bridge::Command::go_on, isCheckpoint_}, values.columns()
+        {bridge::Command::go_on, isCheckpoint_, clock_.writesNext()},
+        values.columns()
     );
     answerIsDue_ = false;
     timer_.lap(couplingTimer::exchange);
@@ -106,7 +108,31 @@ void Foam::bridgeMomentum::sayStop()
 bool Foam::bridgeMomentum::fieldsAreWritten() const
 {
     const Time& time = mesh_.time();
-    return time.timeIndex() > time.startTimeIndex() && time.writeTime();
+    if (time.timeIndex() <= time.startTimeIndex() || !time.writeTime())
+    {
+        return false;
+    }
+    const string broken = writtenFiles::firstBroken(mesh_);
+    if (!broken.empty())
+    {
+        stopForDisk(broken);
+    }
+    return true;
+}
+
+
+void Foam::bridgeMomentum::stopForDisk(const string& file)
+{
+    FatalErrorInFunction
+        << "checkpoint of the fluid at its end" << nl
+        << "    given:   the disk did not take the whole file "
+        << file.c_str() << nl
+        << "    allowed: a folder that can be written to, on a disk with room"
+        << nl
+        << "    to do:   make room, then go on from the last pair:"
+        << " powderlink restart CASE --prepare" << nl
+        << exit(FatalError);
+    std::abort();
 }
 
 
@@ -151,6 +177,7 @@ Foam::bridgeMomentum::bridgeMomentum
     alphafStart_(alphaf_.primitiveField()),
     account_(settings_, clock_, particles_, voidFraction_()),
     ddtU_(),
+    clocksOnDisk_(mesh),
     answerIsDue_(false),
     isCheckpoint_(false),
     isOver_(false),
@@ -161,6 +188,7 @@ Foam::bridgeMomentum::bridgeMomentum
         bridgeParticles::needs(),
         bridgeValues::offers(forces_),
         clock_.interval(),
+        clocksOnDisk_.start(),
         rankMap(particles_.locator())
     )
 {
@@ -230,6 +258,7 @@ bool Foam::bridgeMomentum::startStep()
     }
 
     clock_.check(link_.particles().time_s);
+    clocksOnDisk_.set(clock_.offset());
     particles_.take(link_.particles(), link_.plan(), clock_.nExchanges());
     timer_.lap(couplingTimer::search);
 
@@ -304,6 +333,23 @@ void Foam::bridgeMomentum::endStep()
         timer_.lap(couplingTimer::forces);
         sendValues();
     }
+}
+
+
+void Foam::bridgeMomentum::write(Time& time)
+{
+    // A stream that has failed in the middle of a file
+    const bool throws = FatalIOError.throwExceptions();
+    try
+    {
+        time.write();
+    }
+    catch (const IOerror& error)
+    {
+        FatalIOError.throwExceptions(throws);
+        stopForDisk(error.ioFileName());
+    }
+    FatalIOError.throwExceptions(throws);
 }
 
 

@@ -43,7 +43,7 @@ Foam::scalar Foam::exchangeClock::interval
 }
 
 
-void Foam::exchangeClock::checkWriteTimes() const
+Foam::label Foam::exchangeClock::checkWriteTimes() const
 {
     const dictionary& dict = time_.controlDict();
     const word control(dict.lookupOrDefault<word>("writeControl", "timeStep"));
@@ -65,11 +65,16 @@ void Foam::exchangeClock::checkWriteTimes() const
         period = writeInterval;
     }
 
+    // Never written
+    constexpr scalar never = 1e9;
     const scalar nIntervals = period/interval_;
+    if (writeInterval > 1e15 || nIntervals > never)
+    {
+        return 0;
+    }
     if
     (
-        writeInterval < 1e15
-     && mag(nIntervals - round(nIntervals)) > roundOff*max(nIntervals, 1.0)
+        mag(nIntervals - round(nIntervals)) > roundOff*max(nIntervals, 1.0)
     )
     {
         dictionaryChecks::badValue
@@ -83,6 +88,7 @@ void Foam::exchangeClock::checkWriteTimes() const
             " constant/couplingProperties"
         );
     }
+    return round(nIntervals);
 }
 
 
@@ -98,10 +104,9 @@ Foam::exchangeClock::exchangeClock
     interval_(interval(time, coupling)),
     nExchanges_(0),
     start_(time.value()),
+    nToWrite_(checkWriteTimes()),
     offset_(0)
-{
-    checkWriteTimes();
-}
+{}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //

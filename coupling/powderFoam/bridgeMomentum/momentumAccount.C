@@ -138,9 +138,13 @@ void Foam::momentumAccount::startInterval
         vector explicitPart(Zero);
         if (settings_.semiImplicit)
         {
-            const scalar mass =
+            scalar mass =
                 4.0/3.0*constant::mathematical::pi
                *pow3(particles_.radius()[i])*particles_.density()[i];
+            if (rows.addedMass.size())
+            {
+                mass += rows.addedMass[i];
+            }
             const scalar x = K*D/mass;
             K *= powderlink::forces::relaxation_mean(x);
             relaxedDrag_[i] = K;

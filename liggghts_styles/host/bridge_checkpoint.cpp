@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "host/bridge_checkpoint.h"
+
+#include <cstddef>
+#include <cstring>
+
+namespace powderlink::host {
+
+namespace {
+
+constexpr double kFormat = 1.0;
+constexpr std::size_t kHead = 4;
+
+}  // namespace
+
+void BridgeCheckpoint::write(std::FILE* file, MPI_Comm world) const {
+  int rank = 0, ranks = 1;
+  MPI_Comm_rank(world, &rank);
+  MPI_Comm_size(world, &ranks);
+  std::vector<double> mine = {static_cast<double>(insertion.size())};
+  mine.insert(mine.end(), insertion.begin(), insertion.end());
+  const int count = static_cast<int>(mine.size());
+  std::vector<int> counts(static_cast<std::size_t>(ranks)), starts(counts.size());
+  MPI_Gather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, 0, world);
+  int size = static_cast<int>(kHead);
+  for (std::size_t r = 0; r < counts.size(); ++r) {
+    starts[r] = size;
+    size += counts[r];
+  }
+  std::vector<double> all(static_cast<std::size_t>(size));
+  MPI_Gatherv(mine.data(), count, MPI_DOUBLE, all.data(), counts.data(), starts.data(), MPI_DOUBLE,
+              0, world);
+  if (rank != 0) return;
+  all[0] = kFormat;
+  all[1] = static_cast<double>(step);
+  all[2] = ahead_s;
+  all[3] = ranks;
+  const int bytes = static_cast<int>(all.size() * sizeof(double));
+  std::fwrite(&bytes, sizeof bytes, 1, file);
+  std::fwrite(all.data(), sizeof(double), all.size(), file);
+}
+
+BridgeCheckpoint BridgeCheckpoint::read(const char* state, MPI_Comm world) {
+  int rank = 0, ranks = 1;
+  MPI_Comm_rank(world, &rank);
+  MPI_Comm_size(world, &ranks);
+  const auto number = [state](std::size_t i) {
+    double value = 0.0;
+    std::memcpy(&value, state + i * sizeof(double), sizeof value);
+    return value;
+  };
+  BridgeCheckpoint checkpoint;
+  if (number(0) != kFormat) return checkpoint;
+  checkpoint.step = static_cast<std::int64_t>(number(1));
+  checkpoint.ahead_s = number(2);
+  if (static_cast<int>(number(3)) != ranks) return checkpoint;
+  std::size_t at = kHead;
+  for (int r = 0; r < rank; ++r) at += 1 + static_cast<std::size_t>(number(at));
+  const auto count = static_cast<std::size_t>(number(at));
+  for (std::size_t i = 1; i <= count; ++i) checkpoint.insertion.push_back(number(at + i));
+  return checkpoint;
+}
+
+}  // namespace powderlink::host
