@@ -119,7 +119,7 @@ Foam::cellPointFluidInterpolation::interpolateField
     const GeometricField<Type, fvPatchField, volMesh>& field
 ) const
 {
-    const tmp<Field<Type>> tatPoints(pointValues_.interpolate(field));
+    const tmp<Field<Type>> tatPoints(pointValues_.interpolate(field, points_));
     const Field<Type>& atPoints = tatPoints();
 
     tmp<Field<Type>> tvalues(new Field<Type>(cells_.size()));
@@ -149,6 +149,16 @@ void Foam::cellPointFluidInterpolation::setWeights
     {
         tetrahedra_[i] = findTetrahedron(positions[i], cells_[i]);
     }
+
+    boolList isUsed(mesh_.nPoints(), false);
+    for (const tetrahedron& t : tetrahedra_)
+    {
+        for (const label pointi : t.points)
+        {
+            isUsed[pointi] = true;
+        }
+    }
+    points_ = findIndices(isUsed, true);
 }
 
 
