@@ -277,7 +277,7 @@ void Foam::smoothVoidFraction::sweep
 
 
 template<int N>
-void Foam::smoothVoidFraction::sweeps(UList<scalar>& densities) const
+void Foam::smoothVoidFraction::sweeps(scalarField& densities) const
 {
     scalarField other(densities.size());
     if (couplings_.empty())
@@ -296,7 +296,7 @@ void Foam::smoothVoidFraction::sweeps(UList<scalar>& densities) const
     }
     if (nSweeps_ % 2)
     {
-        densities.deepCopy(other);
+        densities.transfer(other);
     }
 }
 
@@ -306,7 +306,7 @@ void Foam::smoothVoidFraction::sweeps(UList<scalar>& densities) const
 void Foam::smoothVoidFraction::spread
 (
     const label n,
-    UList<scalar>& densities
+    scalarField& densities
 ) const
 {
     // A width that is known to the compiler: the next larger one of these
