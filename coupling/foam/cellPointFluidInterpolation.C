@@ -2,6 +2,7 @@
 
 #include "cellPointFluidInterpolation.H"
 #include "addToRunTimeSelectionTable.H"
+#include "bitSet.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -189,15 +190,15 @@ void Foam::cellPointFluidInterpolation::setWeights
         tetrahedra_[i] = findTetrahedron(positions[i], cells_[i]);
     }
 
-    boolList isUsed(mesh_.nPoints(), false);
+    bitSet isUsed(mesh_.nPoints());
     for (const tetrahedron& t : tetrahedra_)
     {
         for (const label pointi : t.points)
         {
-            isUsed[pointi] = true;
+            isUsed.set(pointi);
         }
     }
-    points_ = findIndices(isUsed, true);
+    points_ = isUsed.sortedToc();
 }
 
 

@@ -36,16 +36,18 @@ namespace
         vectorField& force = tforce.ref();
         if (patch.coupled())
         {
+            // The patch's own values are those of the other side on some
             const scalarField& w = patch.weights();
-            nuGradU =
-                w*nuEff.patchInternalField()*gradU.patchInternalField()
-              + (1 - w)*nuEff.patchNeighbourField()
-               *gradU.patchNeighbourField();
+            const scalarField nuHere(w*nuEff.patchInternalField());
+            const scalarField nuThere((1 - w)*nuEff.patchNeighbourField());
+            const tensorField gradHere(gradU.patchInternalField());
+            const tensorField gradThere(gradU.patchNeighbourField());
+            nuGradU = nuHere*gradHere + nuThere*gradThere;
 
             const surfaceInterpolation& geometry = patch.boundaryMesh().mesh();
             const label patchi = patch.index();
             force =
-                nuEff*patch.magSf()
+                (nuHere + nuThere)*patch.magSf()
                *(
                     U.snGrad
                     (
@@ -54,7 +56,7 @@ namespace
                   + (
                         geometry.nonOrthCorrectionVectors()
                        .boundaryField()[patchi]
-                      & gradU
+                      & (w*gradHere + (1 - w)*gradThere)
                     )
                 );
         }
