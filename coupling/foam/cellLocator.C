@@ -26,17 +26,9 @@ namespace Foam
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::cellLocator::setFaces()
+void Foam::cellLocator::setSides()
 {
-    normals_ = mesh_.faceAreas();
-    normals_ /= max(mag(normals_), VSMALL);
-    offsets_ = normals_ & mesh_.faceCentres();
-
-    rankBehind_.setSize
-    (
-        mesh_.nFaces() - mesh_.nInternalFaces(),
-        Pstream::myProcNo()
-    );
+    labelList rankBehind(mesh_.nFaces(), Pstream::myProcNo());
     for (const polyPatch& pp : mesh_.boundaryMesh())
     {
         // Behind a cyclic patch is another place
@@ -46,14 +38,40 @@ void Foam::cellLocator::setFaces()
          && !isA<processorCyclicPolyPatch>(pp)
         )
         {
-            const label behind =
+            SubList<label>(rankBehind, pp.size(), pp.start()) =
                 refCast<const processorPolyPatch>(pp).neighbProcNo();
-            forAll(pp, i)
-            {
-                rankBehind_[pp.start() - mesh_.nInternalFaces() + i] = behind;
-            }
         }
     }
+
+    const labelList& owner = mesh_.faceOwner();
+    DynamicList<side> sides(2*mesh_.nFaces());
+    starts_.setSize(mesh_.nCells() + 1);
+    forAll(mesh_.cells(), celli)
+    {
+        starts_[celli] = sides.size();
+        for (const label facei : mesh_.cells()[celli])
+        {
+            const bool owns = owner[facei] == celli;
+            const vector S((owns ? 1 : -1)*mesh_.faceAreas()[facei]);
+            const vector normal(S/max(mag(S), VSMALL));
+            const label behind =
+                !mesh_.isInternalFace(facei) ? -1
+              : owns ? mesh_.faceNeighbour()[facei]
+              : owner[facei];
+            sides.append
+            (
+                side
+                {
+                    normal,
+                    normal & mesh_.faceCentres()[facei],
+                    behind,
+                    rankBehind[facei]
+                }
+            );
+        }
+    }
+    starts_.last() = sides.size();
+    sides_.transfer(sides);
 }
 
 
@@ -122,6 +140,37 @@ Foam::label Foam::cellLocator::voxel(const point& position) const
 }
 
 
+Foam::label Foam::cellLocator::next
+(
+    const point& position,
+    const label celli,
+    const scalar tolerance
+) const
+{
+    scalar worst = tolerance;
+    label behind = celli;
+    bool behindPatch = false;
+    for (label i = starts_[celli]; i < starts_[celli + 1]; ++i)
+    {
+        const side& s = sides_[i];
+        const scalar outside = s.outside(position);
+        if (outside > tolerance)
+        {
+            if (s.cell < 0)
+            {
+                behindPatch = true;
+            }
+            else if (outside > worst)
+            {
+                worst = outside;
+                behind = s.cell;
+            }
+        }
+    }
+    return behind == celli && behindPatch ? notKnown : behind;
+}
+
+
 Foam::label Foam::cellLocator::walk
 (
     const point& position,
@@ -129,50 +178,21 @@ Foam::label Foam::cellLocator::walk
     const scalar tolerance
 ) const
 {
-    const cellList& cells = mesh_.cells();
-    const labelList& owner = mesh_.faceOwner();
-    const labelList& neighbour = mesh_.faceNeighbour();
-
     label celli = start;
     label previous = -1;
     for (label step = 0; step < maxWalk; ++step)
     {
-        scalar worst = tolerance;
-        label worstFace = -1;
-        bool behindPatch = false;
-
-        for (const label facei : cells[celli])
+        const label after = next(position, celli, tolerance);
+        if (after == celli)
         {
-            const scalar above =
-                (normals_[facei] & position) - offsets_[facei];
-            const scalar outside = owner[facei] == celli ? above : -above;
-            if (outside > tolerance)
-            {
-                if (!mesh_.isInternalFace(facei))
-                {
-                    behindPatch = true;
-                }
-                else if (outside > worst)
-                {
-                    worst = outside;
-                    worstFace = facei;
-                }
-            }
+            return celli;
         }
-
-        if (worstFace == -1)
-        {
-            return behindPatch ? notKnown : celli;
-        }
-
-        const label next =
-            owner[worstFace] == celli ? neighbour[worstFace] : owner[worstFace];
-        if (next == previous)
+        if (after == notKnown || after == previous)
         {
             return notKnown;
         }
         previous = celli;
-        celli = next;
+        celli = after;
     }
     return notKnown;
 }
@@ -191,9 +211,16 @@ Foam::label Foam::cellLocator::search
         !std::isfinite(position.x())
      || !std::isfinite(position.y())
      || !std::isfinite(position.z())
-     || !bounds_.contains(position)
-     || mesh_.nCells() == 0
     )
+    {
+        return inNoCell;
+    }
+    // Most particles are where they were
+    if (hint >= 0 && next(position, hint, tolerance) == hint)
+    {
+        return hint;
+    }
+    if (!bounds_.contains(position) || mesh_.nCells() == 0)
     {
         return inNoCell;
     }
@@ -221,14 +248,10 @@ bool Foam::cellLocator::belongsToLowerRank
     const label celli
 ) const
 {
-    for (const label facei : mesh_.cells()[celli])
+    for (label i = starts_[celli]; i < starts_[celli + 1]; ++i)
     {
-        if
-        (
-            !mesh_.isInternalFace(facei)
-         && rankBehind_[facei - mesh_.nInternalFaces()] < Pstream::myProcNo()
-         && (normals_[facei] & position) - offsets_[facei] > -onFace_
-        )
+        const side& s = sides_[i];
+        if (s.rank < Pstream::myProcNo() && s.outside(position) > -onFace_)
         {
             return true;
         }
@@ -255,7 +278,7 @@ Foam::cellLocator::cellLocator(const fvMesh& mesh)
         mesh_.cellTree();
     }
 
-    setFaces();
+    setSides();
     setSeeds();
 }
 
@@ -290,14 +313,9 @@ Foam::scalar Foam::cellLocator::depth
 ) const
 {
     scalar least = GREAT;
-    for (const label facei : mesh_.cells()[celli])
+    for (label i = starts_[celli]; i < starts_[celli + 1]; ++i)
     {
-        const scalar above = (normals_[facei] & position) - offsets_[facei];
-        least = std::min
-        (
-            least,
-            mesh_.faceOwner()[facei] == celli ? -above : above
-        );
+        least = std::min(least, -sides_[i].outside(position));
     }
     return least;
 }

@@ -2,6 +2,7 @@
 
 #include "cellPointFluidInterpolation.H"
 #include "addToRunTimeSelectionTable.H"
+#include "bitSet.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -30,7 +31,6 @@ Foam::cellPointFluidInterpolation::findTetrahedron
 ) const
 {
     const pointField& points = mesh_.points();
-    const labelList& basePoints = mesh_.tetBasePtIs();
     const point& centre = mesh_.cellCentres()[celli];
     const vector r(position - centre);
 
@@ -39,13 +39,13 @@ Foam::cellPointFluidInterpolation::findTetrahedron
 
     // The ray from the centre through the position leaves the cell through
     // this face: nearly always one of its tetrahedra is the right one
-    const cell& faces = mesh_.cells()[celli];
-    const vector* const gradients = &gradients_[starts_[celli]];
+    const label nFaces = starts_[celli + 1] - starts_[celli];
+    const side* const sides = &sides_[starts_[celli]];
     label exit = 0;
     scalar largest = -GREAT;
-    forAll(faces, i)
+    for (label i = 0; i < nFaces; ++i)
     {
-        const scalar along = r & gradients[i];
+        const scalar along = r & sides[i].gradient;
         if (along > largest)
         {
             largest = along;
@@ -53,17 +53,17 @@ Foam::cellPointFluidInterpolation::findTetrahedron
         }
     }
 
-    forAll(faces, n)
+    for (label n = 0; n < nFaces; ++n)
     {
-        const label facei = faces[n == 0 ? exit : n == exit ? 0 : n];
-        const face& f = mesh_.faces()[facei];
-        const label base = max(label(0), basePoints[facei]);
-        const vector a(points[f[base]] - centre);
+        const label facei = sides[n == 0 ? exit : n == exit ? 0 : n].face;
+        const label* const f = &facePoints_[faceStarts_[facei]];
+        const label size = faceStarts_[facei + 1] - faceStarts_[facei];
+        const vector a(points[f[0]] - centre);
 
-        for (label i = 1; i + 1 < f.size(); ++i)
+        for (label i = 1; i + 1 < size; ++i)
         {
-            const label pointB = f[(base + i)%f.size()];
-            const label pointC = f[(base + i + 1)%f.size()];
+            const label pointB = f[i];
+            const label pointC = f[i + 1];
             const vector b(points[pointB] - centre);
             const vector c(points[pointC] - centre);
 
@@ -87,7 +87,7 @@ Foam::cellPointFluidInterpolation::findTetrahedron
                 bestLeast = least;
                 best =
                 {
-                    {f[base], pointB, pointC},
+                    {f[0], pointB, pointC},
                     {weightA, weightB, weightC}
                 };
                 if (least > -roundOff)
@@ -112,6 +112,46 @@ Foam::cellPointFluidInterpolation::findTetrahedron
 }
 
 
+void Foam::cellPointFluidInterpolation::setFaces()
+{
+    const labelList& basePoints = mesh_.tetBasePtIs();
+    DynamicList<label> points(4*mesh_.nFaces());
+    faceStarts_.setSize(mesh_.nFaces() + 1);
+    forAll(mesh_.faces(), facei)
+    {
+        faceStarts_[facei] = points.size();
+        const face& f = mesh_.faces()[facei];
+        const label base = max(label(0), basePoints[facei]);
+        forAll(f, i)
+        {
+            points.append(f[(base + i)%f.size()]);
+        }
+    }
+    faceStarts_.last() = points.size();
+    facePoints_.transfer(points);
+}
+
+
+void Foam::cellPointFluidInterpolation::setSides()
+{
+    DynamicList<side> sides(2*mesh_.nFaces());
+    starts_.setSize(mesh_.nCells() + 1);
+    forAll(mesh_.cells(), celli)
+    {
+        starts_[celli] = sides.size();
+        const point& centre = mesh_.cellCentres()[celli];
+        for (const label facei : mesh_.cells()[celli])
+        {
+            const vector& S = mesh_.faceAreas()[facei];
+            const scalar height = (mesh_.faceCentres()[facei] - centre) & S;
+            sides.append(side{S/stabilise(height, VSMALL), facei});
+        }
+    }
+    starts_.last() = sides.size();
+    sides_.transfer(sides);
+}
+
+
 template<class Type>
 Foam::tmp<Foam::Field<Type>>
 Foam::cellPointFluidInterpolation::interpolateField
@@ -119,7 +159,7 @@ Foam::cellPointFluidInterpolation::interpolateField
     const GeometricField<Type, fvPatchField, volMesh>& field
 ) const
 {
-    const tmp<Field<Type>> tatPoints(pointValues_.interpolate(field));
+    const tmp<Field<Type>> tatPoints(pointValues_.interpolate(field, points_));
     const Field<Type>& atPoints = tatPoints();
 
     tmp<Field<Type>> tvalues(new Field<Type>(cells_.size()));
@@ -149,6 +189,16 @@ void Foam::cellPointFluidInterpolation::setWeights
     {
         tetrahedra_[i] = findTetrahedron(positions[i], cells_[i]);
     }
+
+    bitSet isUsed(mesh_.nPoints());
+    for (const tetrahedron& t : tetrahedra_)
+    {
+        for (const label pointi : t.points)
+        {
+            isUsed.set(pointi);
+        }
+    }
+    points_ = isUsed.sortedToc();
 }
 
 
@@ -162,23 +212,8 @@ Foam::cellPointFluidInterpolation::cellPointFluidInterpolation
     fluidInterpolation(mesh),
     pointValues_(mesh)
 {
-    // Made now because all ranks are needed for it
-    mesh_.tetBasePtIs();
-
-    starts_.setSize(mesh_.nCells());
-    DynamicList<vector> gradients(2*mesh_.nFaces());
-    forAll(mesh_.cells(), celli)
-    {
-        starts_[celli] = gradients.size();
-        const point& centre = mesh_.cellCentres()[celli];
-        for (const label facei : mesh_.cells()[celli])
-        {
-            const vector& S = mesh_.faceAreas()[facei];
-            const scalar height = (mesh_.faceCentres()[facei] - centre) & S;
-            gradients.append(S/stabilise(height, VSMALL));
-        }
-    }
-    gradients_.transfer(gradients);
+    setFaces();
+    setSides();
 }
 
 

@@ -2,9 +2,8 @@
 
 #include "fluidForces.H"
 #include "dictionaryChecks.H"
-#include "fvcDiv.H"
 #include "fvcGrad.H"
-#include "fvcLaplacian.H"
+#include "viscousStress.H"
 
 #include "coupling/forces/force_registry.h"
 
@@ -275,17 +274,12 @@ void Foam::fluidForces::evaluate
     }
     if (needsViscousStress_)
     {
-        // Schemes by the names of the momentum equation
-        const volVectorField stress
-        (
-            fvc::laplacian(*fluid.nuEff, U, "laplacian(nuEff,U)")
-          + fvc::div
+        divTau =
+            properties_.rho
+           *interpolation.interpolate
             (
-                (*fluid.nuEff)*dev2(T(tgradU())),
-                "div((nuEff*dev2(T(grad(U)))))"
-            )
-        );
-        divTau = properties_.rho*interpolation.interpolate(stress);
+                viscousStress::divergence(U, tgradU(), *fluid.nuEff)()
+            );
     }
     if (needsCurl_)
     {
@@ -342,9 +336,10 @@ void Foam::fluidForces::evaluate
         forces::Vec3 pressure{};
         try
         {
+            forces::require_valid(f, p);
             for (const law& l : laws_)
             {
-                const forces::ForceTerms terms = l.force->evaluate(f, p);
+                const forces::ForceTerms terms = l.force->evaluate_valid(f, p);
                 all += terms;
                 forces::Vec3& part = l.reactsOnFluid ? reacting : pressure;
                 part = forces::sum(part, terms.force_N);

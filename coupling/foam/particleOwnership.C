@@ -5,6 +5,26 @@
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
+void Foam::particleOwnership::orderByCell(labelList& rows) const
+{
+    // Counting sort; place 0 is for rows in no cell
+    labelList next(locator_.mesh().nCells() + 2, Zero);
+    for (const label celli : lastCells_)
+    {
+        ++next[celli + 2];
+    }
+    for (label place = 1; place < next.size(); ++place)
+    {
+        next[place] += next[place - 1];
+    }
+    rows.setSize(lastCells_.size());
+    forAll(lastCells_, row)
+    {
+        rows[next[lastCells_[row] + 1]++] = row;
+    }
+}
+
+
 void Foam::particleOwnership::offer
 (
     const UList<point>& positions,
@@ -118,22 +138,30 @@ void Foam::particleOwnership::update(const UList<point>& positions)
     send_ = labelListList(Pstream::nProcs());
     nGuests_ = labelList(Pstream::nProcs(), Zero);
 
+    // Neighbours in the mesh one after the other, now and wherever the owned
+    // rows are used: what is read of the mesh is then still in the cache
+    lastCells_.setSize(nReceived_, -1);
+    labelList rows;
+    orderByCell(rows);
+    for (const label row : rows)
+    {
+        lastCells_[row] = locator_.find(positions[row], lastCells_[row]);
+    }
+    orderByCell(rows);
+
     DynamicList<label> stay(nReceived_);
     DynamicList<label> cells(nReceived_);
     DynamicList<label> leftover;
-    hints_.setSize(nReceived_, -1);
-    forAll(positions, i)
+    for (const label row : rows)
     {
-        const label celli = locator_.find(positions[i], hints_[i]);
-        hints_[i] = celli;
-        if (celli >= 0)
+        if (lastCells_[row] >= 0)
         {
-            stay.append(i);
-            cells.append(celli);
+            stay.append(row);
+            cells.append(lastCells_[row]);
         }
         else
         {
-            leftover.append(i);
+            leftover.append(row);
         }
     }
     stay_.transfer(stay);

@@ -2,10 +2,11 @@
 
 #include "pointValues.H"
 #include "emptyPolyPatch.H"
+#include "indirectPrimitivePatch.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::pointValues::findPatchFaces()
+Foam::labelListList Foam::pointValues::patchFaces() const
 {
     List<DynamicList<label>> faces(mesh_.nPoints());
     for (const fvPatch& patch : mesh_.boundary())
@@ -19,25 +20,58 @@ void Foam::pointValues::findPatchFaces()
             const label facei = patch.start() + i;
             for (const label pointi : mesh_.faces()[facei])
             {
-                faces[pointi].append(facei);
+                faces[pointi].append(facei - mesh_.nInternalFaces());
             }
         }
     }
-    patchFaces_.setSize(faces.size());
+    labelListList result(faces.size());
     forAll(faces, pointi)
     {
-        patchFaces_[pointi].transfer(faces[pointi]);
+        result[pointi].transfer(faces[pointi]);
     }
+    return result;
+}
+
+
+void Foam::pointValues::flatten
+(
+    const labelListList& from,
+    const scalarListList& weights,
+    sources& result
+)
+{
+    result.starts.setSize(weights.size() + 1);
+    DynamicList<label> allFrom;
+    DynamicList<scalar> allWeights;
+    forAll(weights, pointi)
+    {
+        result.starts[pointi] = allFrom.size();
+        if (weights[pointi].size())
+        {
+            allFrom.append(from[pointi]);
+            allWeights.append(weights[pointi]);
+        }
+    }
+    result.starts.last() = allFrom.size();
+    result.from.transfer(allFrom);
+    result.weights.transfer(allWeights);
 }
 
 
 void Foam::pointValues::makeWeights()
 {
+    const labelListList patchFaces(this->patchFaces());
+    const SubList<point> faceCentres
+    (
+        mesh_.faceCentres(),
+        mesh_.nFaces() - mesh_.nInternalFaces(),
+        mesh_.nInternalFaces()
+    );
     // A rank, or an image, may have a point of a patch and none of its faces
     List<label> isOnPatch(mesh_.nPoints(), 0);
     forAll(isOnPatch, pointi)
     {
-        isOnPatch[pointi] = patchFaces_[pointi].size() ? 1 : 0;
+        isOnPatch[pointi] = patchFaces[pointi].size() ? 1 : 0;
     }
     mesh_.globalData().syncPointData
     (
@@ -50,7 +84,7 @@ void Foam::pointValues::makeWeights()
     (
         const label pointi,
         const labelList& from,
-        const vectorField& centres,
+        const UList<point>& centres,
         scalarList& weights
     )
     {
@@ -61,8 +95,8 @@ void Foam::pointValues::makeWeights()
             sum[pointi] += weights[i];
         }
     };
-    cellWeights_.setSize(mesh_.nPoints());
-    faceWeights_.setSize(mesh_.nPoints());
+    scalarListList cellWeights(mesh_.nPoints());
+    scalarListList faceWeights(mesh_.nPoints());
     forAll(points, pointi)
     {
         if (isOnPatch[pointi])
@@ -70,9 +104,9 @@ void Foam::pointValues::makeWeights()
             weigh
             (
                 pointi,
-                patchFaces_[pointi],
-                mesh_.faceCentres(),
-                faceWeights_[pointi]
+                patchFaces[pointi],
+                faceCentres,
+                faceWeights[pointi]
             );
         }
         else
@@ -82,7 +116,7 @@ void Foam::pointValues::makeWeights()
                 pointi,
                 mesh_.pointCells()[pointi],
                 mesh_.cellCentres(),
-                cellWeights_[pointi]
+                cellWeights[pointi]
             );
         }
     }
@@ -93,7 +127,7 @@ void Foam::pointValues::makeWeights()
 
     forAll(points, pointi)
     {
-        for (scalarList* weights : {&cellWeights_[pointi], &faceWeights_[pointi]})
+        for (scalarList* weights : {&cellWeights[pointi], &faceWeights[pointi]})
         {
             for (scalar& weight : *weights)
             {
@@ -101,6 +135,8 @@ void Foam::pointValues::makeWeights()
             }
         }
     }
+    flatten(mesh_.pointCells(), cellWeights, cells_);
+    flatten(patchFaces, faceWeights, faces_);
 }
 
 
@@ -108,9 +144,9 @@ void Foam::pointValues::makeWeights()
 
 Foam::pointValues::pointValues(const fvMesh& mesh)
 :
-    mesh_(mesh)
+    mesh_(mesh),
+    sharedPoints_(mesh.globalData().coupledPatch().meshPoints())
 {
-    findPatchFaces();
     makeWeights();
 }
 

@@ -117,14 +117,83 @@ void Foam::smoothVoidFraction::setRows(const scalarField& conductance)
     neighbours_.setSize(starts_.last());
     coefficients_.setSize(starts_.last());
     labelList next(starts_);
+    blockSize_ = 1;
     forAll(neighbour, facei)
     {
+        blockSize_ = max(blockSize_, neighbour[facei] - owner[facei]);
         const label own = next[owner[facei]]++;
         const label other = next[neighbour[facei]]++;
         neighbours_[own] = neighbour[facei];
         neighbours_[other] = owner[facei];
         coefficients_[own] = conductance[facei];
         coefficients_[other] = conductance[facei];
+    }
+}
+
+
+template<int N>
+void Foam::smoothVoidFraction::sweepRows
+(
+    const label first,
+    const label end,
+    const scalar* const __restrict__ density,
+    scalar* const __restrict__ result
+) const
+{
+    // Rows and not faces: every cell is written once, in order
+    const label* const start = starts_.cdata();
+    const label* const neighbour = neighbours_.cdata();
+    const scalar* const coefficient = coefficients_.cdata();
+    for (label celli = first; celli < end; ++celli)
+    {
+        scalar own[N];
+        scalar gain[N];
+        for (label k = 0; k < N; ++k)
+        {
+            own[k] = density[celli*N + k];
+            gain[k] = 0;
+        }
+        for (label i = start[celli]; i < start[celli + 1]; ++i)
+        {
+            const scalar* const other = density + neighbour[i]*N;
+            for (label k = 0; k < N; ++k)
+            {
+                gain[k] += coefficient[i]*(other[k] - own[k]);
+            }
+        }
+        for (label k = 0; k < N; ++k)
+        {
+            result[celli*N + k] = own[k] + rV_[celli]*gain[k];
+        }
+    }
+}
+
+
+template<int N>
+void Foam::smoothVoidFraction::sweepBlocks
+(
+    scalar* const even,
+    scalar* const odd
+) const
+{
+    const label nBlocks = (rV_.size() + blockSize_ - 1)/blockSize_;
+    for (label lead = 0; lead < nBlocks + nSweeps_ - 1; ++lead)
+    {
+        for (label i = max(label(0), lead - nBlocks + 1); i < nSweeps_; ++i)
+        {
+            const label first = (lead - i)*blockSize_;
+            if (first < 0)
+            {
+                break;
+            }
+            sweepRows<N>
+            (
+                first,
+                min(first + blockSize_, rV_.size()),
+                i % 2 ? odd : even,
+                i % 2 ? even : odd
+            );
+        }
     }
 }
 
@@ -185,32 +254,7 @@ void Foam::smoothVoidFraction::sweep
         );
     }
 
-    // Rows and not faces: every cell is written once, in order
-    const label* const start = starts_.cdata();
-    const label* const neighbour = neighbours_.cdata();
-    const scalar* const coefficient = coefficients_.cdata();
-    forAll(rV_, celli)
-    {
-        scalar own[N];
-        scalar gain[N];
-        for (label k = 0; k < N; ++k)
-        {
-            own[k] = density[celli*N + k];
-            gain[k] = 0;
-        }
-        for (label i = start[celli]; i < start[celli + 1]; ++i)
-        {
-            const scalar* const other = density + neighbour[i]*N;
-            for (label k = 0; k < N; ++k)
-            {
-                gain[k] += coefficient[i]*(other[k] - own[k]);
-            }
-        }
-        for (label k = 0; k < N; ++k)
-        {
-            result[celli*N + k] = own[k] + rV_[celli]*gain[k];
-        }
-    }
+    sweepRows<N>(0, rV_.size(), density, result);
 
     Pstream::waitRequests(startOfRequests);
     forAll(couplings_, i)
@@ -235,19 +279,26 @@ void Foam::smoothVoidFraction::sweep
 
 
 template<int N>
-void Foam::smoothVoidFraction::sweeps(UList<scalar>& densities) const
+void Foam::smoothVoidFraction::sweeps(scalarField& densities) const
 {
     scalarField other(densities.size());
-    UList<scalar> from(densities);
-    UList<scalar> to(other);
-    for (label i = 0; i < nSweeps_; ++i)
+    if (couplings_.empty())
     {
-        sweep<N>(from, to);
-        from.swap(to);
+        sweepBlocks<N>(densities.data(), other.data());
+    }
+    else
+    {
+        UList<scalar> from(densities);
+        UList<scalar> to(other);
+        for (label i = 0; i < nSweeps_; ++i)
+        {
+            sweep<N>(from, to);
+            from.swap(to);
+        }
     }
     if (nSweeps_ % 2)
     {
-        densities.deepCopy(other);
+        densities.transfer(other);
     }
 }
 
@@ -257,7 +308,7 @@ void Foam::smoothVoidFraction::sweeps(UList<scalar>& densities) const
 void Foam::smoothVoidFraction::spread
 (
     const label n,
-    UList<scalar>& densities
+    scalarField& densities
 ) const
 {
     // A width that is known to the compiler: the next larger one of these
@@ -319,6 +370,7 @@ Foam::smoothVoidFraction::smoothVoidFraction
     centreVoidFraction(locator),
     length_(readLength(dict)),
     nSweeps_(0),
+    blockSize_(1),
     rV_(1/mesh_.V().field())
 {
     // D t of the whole spreading times area over distance [m3]

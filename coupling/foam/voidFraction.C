@@ -16,7 +16,7 @@ namespace Foam
 
 // * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
 
-void Foam::voidFraction::spread(const label, UList<scalar>&) const
+void Foam::voidFraction::spread(const label, scalarField&) const
 {}
 
 
@@ -193,11 +193,12 @@ Foam::tmp<Foam::vectorField> Foam::voidFraction::gather
     const UList<vector>& field
 ) const
 {
-    constexpr label n = vector::nComponents;
-    scalarField cellValues(n*field.size());
+    // One more than components: a width that smoothing likes
+    constexpr label n = 4;
+    scalarField cellValues(n*field.size(), Zero);
     forAll(field, celli)
     {
-        for (direction d = 0; d < n; ++d)
+        for (direction d = 0; d < vector::nComponents; ++d)
         {
             cellValues[n*celli + d] = field[celli][d];
         }
@@ -211,7 +212,7 @@ Foam::tmp<Foam::vectorField> Foam::voidFraction::gather
     vectorField& result = tresult.ref();
     forAll(result, i)
     {
-        for (direction d = 0; d < n; ++d)
+        for (direction d = 0; d < vector::nComponents; ++d)
         {
             result[i][d] = values[n*i + d];
         }
@@ -227,8 +228,6 @@ void Foam::voidFraction::deposit
     scalarField& densities
 ) const
 {
-    densities.setSize(n*mesh_.nCells());
-    densities = 0;
     place(n, values, densities);
     spread(n, densities);
 }
@@ -238,11 +237,12 @@ void Foam::voidFraction::place
 (
     const label n,
     const UList<scalar>& values,
-    UList<scalar>& densities
+    scalarField& densities
 ) const
 {
-    scalarField amounts(densities.size(), Zero);
-    share(n, values, amounts);
+    densities.setSize(n*mesh_.nCells());
+    densities = 0;
+    share(n, values, densities);
 
     const scalarField& V = mesh_.V();
     forAll(V, celli)
@@ -250,7 +250,7 @@ void Foam::voidFraction::place
         const scalar rV = 1/V[celli];
         for (label k = celli*n; k < (celli + 1)*n; ++k)
         {
-            densities[k] += rV*amounts[k];
+            densities[k] *= rV;
         }
     }
 }

@@ -10,7 +10,11 @@
 #include "fluidForces.H"
 #include "fluidInterpolation.H"
 #include "foam_case.h"
+#include "fvcDiv.H"
 #include "fvcGrad.H"
+#include "fvcLaplacian.H"
+#include "mathematicalConstants.H"
+#include "viscousStress.H"
 
 using namespace powderlink::foam_test;
 namespace forces = powderlink::forces;
@@ -229,6 +233,30 @@ TEST(FluidForces, ViscousStressOfAParabolicProfile) {
     }
     EXPECT_EQ(rows.fluidSpin.size(), 0);
     EXPECT_EQ(rows.addedMass.size(), 0);
+  }
+}
+
+TEST(ViscousStress, IsThatOfTheOperatorsOfTheMomentumEquation) {
+  // Viscosity and velocity that vary, on curved, skewed and periodic meshes.
+  const Foam::vector k(2.0 * Foam::constant::mathematical::pi / 6e-3 * Foam::vector(1.0, 0.5, 0.3));
+  const auto U = field_of<Foam::vector>("U", Foam::dimVelocity, [&](const Foam::point& r) {
+    return Foam::vector(std::sin(k & r), std::cos(2.0 * (k & r)), std::sin(k & r) + 50.0 * r.x());
+  });
+  const auto nu = field_of<double>("nuEff", Foam::dimViscosity, [&](const Foam::point& r) {
+    return 1e-5 * (2.0 + std::sin(0.7 * (k & r)));
+  });
+  const Foam::volTensorField gradient("gradU", Foam::fvc::grad(*U));
+  const volVectorField fused(Foam::viscousStress::divergence(*U, gradient, *nu));
+  const volVectorField separate(
+      Foam::fvc::laplacian(*nu, *U, "laplacian(nuEff,U)") +
+      Foam::fvc::div((*nu) * Foam::dev2(Foam::T(gradient)), "div((nuEff*dev2(T(grad(U)))))"));
+  const double largest = Foam::gMax(Foam::mag(separate.primitiveField())());
+  ASSERT_GT(largest, 0.0);
+  EXPECT_LT(Foam::gMax(Foam::mag(fused.primitiveField() - separate.primitiveField())()),
+            kRoundOff * largest);
+  forAll(mesh().boundary(), b) {
+    const Foam::vectorField difference(fused.boundaryField()[b] - separate.boundaryField()[b]);
+    forAll(difference, i) EXPECT_LT(mag(difference[i]), kRoundOff * largest);
   }
 }
 

@@ -42,8 +42,9 @@ TEST(PointValues, AreThoseOfAllImagesOnAnyNumberOfRanks) {
   const Foam::volVectorField U("U", p * Foam::dimensionedVector("d", Foam::dimless, kDirection));
 
   const Foam::pointValues at_points(mesh());
-  const Foam::scalarField q(at_points.interpolate(p));
-  const Foam::vectorField u(at_points.interpolate(U));
+  const Foam::labelList all(Foam::identity(mesh().nPoints()));
+  const Foam::scalarField q(at_points.interpolate(p, all));
+  const Foam::vectorField u(at_points.interpolate(U, all));
   ASSERT_GT(q.size(), 0);
   forAll(q, i) {
     const double expected = mean_of_eight(mesh().points()[i]);

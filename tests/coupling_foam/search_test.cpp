@@ -204,5 +204,11 @@ TEST(ParticleOwnership, NothingMovesWhenAllAreAtHome) {
   ownership.update(p.positions);
   EXPECT_EQ(ownership.nMovedGlobal(), 0);
   EXPECT_EQ(ownership.nOutsideGlobal(), 0);
-  EXPECT_EQ(ownership.cells(), p.cells);
+  // In the order of the cells, each row with its own.
+  Foam::labelList sorted(p.cells);
+  Foam::sort(sorted);
+  EXPECT_EQ(ownership.cells(), sorted);
+  Foam::labelList cells;
+  ownership.toOwner<label>(p.cells, cells);
+  EXPECT_EQ(ownership.cells(), cells);
 }

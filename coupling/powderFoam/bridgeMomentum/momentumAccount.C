@@ -161,7 +161,7 @@ void Foam::momentumAccount::startInterval
         }
     }
 
-    scalarField densities(nValues*mesh_.nCells(), Zero);
+    scalarField densities;
     voidFraction_.place(nValues, values, densities);
 
     // A first exchange without a run before has no interval to settle
@@ -243,7 +243,7 @@ void Foam::momentumAccount::endInterval(const fluidForces::forceRows& rows)
         }
     }
     // Smoothed together with the impulses, at the next exchange
-    scalarField densities(nValues*mesh_.nCells(), Zero);
+    scalarField densities;
     voidFraction_.place(nValues, given, densities);
     forAll(balance_, celli)
     {
