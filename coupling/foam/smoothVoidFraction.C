@@ -316,15 +316,14 @@ void Foam::smoothVoidFraction::spread
     {
         case 1: sweeps<1>(densities); return;
         case 4: sweeps<4>(densities); return;
-        case 8: sweeps<8>(densities); return;
     }
 
-    constexpr label widest = 8;
+    constexpr label widest = 4;
     scalarField some;
     for (label first = 0; first < n; first += widest)
     {
         const label nHere = min(n - first, widest);
-        const label width = nHere == 1 ? 1 : nHere <= 4 ? 4 : widest;
+        const label width = nHere == 1 ? 1 : widest;
         some.setSize(width*rV_.size());
         some = 0;
         forAll(rV_, celli)

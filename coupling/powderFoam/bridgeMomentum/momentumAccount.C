@@ -126,9 +126,8 @@ void Foam::momentumAccount::startInterval
     countImpulses();
     path_ = Zero;
 
-    // Per particle: K' (explicit: K), K' v - F, -J; the last is for the width
-    // that smoothing likes
-    constexpr label nValues = 8;
+    // Per particle: K' (explicit: K), K' v - F, -J
+    constexpr label nValues = 7;
     scalarField values(nValues*n, Zero);
     relaxedDrag_.setSize(n);
     relaxedDrag_ = 0;
@@ -161,41 +160,46 @@ void Foam::momentumAccount::startInterval
         }
     }
 
-    scalarField densities;
-    voidFraction_.place(nValues, values, densities);
+    scalarField placed;
+    voidFraction_.place(nValues, values, placed);
+
+    // Per volume of cell: K', K' v - F + B/D
+    constexpr label nSources = 4;
+    scalarField sources(nSources*mesh_.nCells());
 
     // A first exchange without a run before has no interval to settle
     const bool settles = clock_.nExchanges() > 0 || isRestart_;
     forAll(balance_, celli)
     {
-        scalar* d = &densities[nValues*celli];
+        const scalar* d = &placed[nValues*celli];
         if (settles)
         {
             balance_[celli] += vector(d[4], d[5], d[6])/rho;
         }
+        scalar* s = &sources[nSources*celli];
+        s[0] = d[0];
         for (direction k = 0; k < 3; ++k)
         {
-            d[4 + k] = rho*balance_[celli][k];
+            s[1 + k] = d[1 + k] + rho*balance_[celli][k]/D;
         }
     }
-    voidFraction_.smooth(nValues, densities);
+    voidFraction_.smooth(nSources, sources);
 
     if (!settings_.semiImplicit)
     {
         scalarField drag(mesh_.nCells());
         forAll(drag, celli)
         {
-            drag[celli] = densities[nValues*celli];
+            drag[celli] = sources[nSources*celli];
         }
         checkExplicit(drag);
     }
 
     forAll(Su, celli)
     {
-        const scalar* d = &densities[nValues*celli];
-        Sp[celli] = settings_.semiImplicit ? -d[0]/rho : 0;
-        Su[celli] =
-            (vector(d[1], d[2], d[3]) + vector(d[4], d[5], d[6])/D)/rho;
+        const scalar* s = &sources[nSources*celli];
+        Sp[celli] = settings_.semiImplicit ? -s[0]/rho : 0;
+        Su[celli] = vector(s[1], s[2], s[3])/rho;
     }
 }
 
