@@ -47,6 +47,17 @@ const std::vector<Column>& columns() {
   return list;
 }
 
+void keep_numbers(Measurements& m, const std::string& name) {
+  const std::size_t column = *m.table.find_column(name);
+  std::vector<double> values;
+  try {
+    for (const CsvTable::Row& row : m.table.rows) values.push_back(m.table.number(row, column));
+  } catch (const InvalidInput&) {
+    return;  // a column of words
+  }
+  for (std::size_t i = 0; i < values.size(); ++i) m.rows[i].other[name] = values[i];
+}
+
 }  // namespace
 
 Measurements read_measurements(const std::filesystem::path& file) {
@@ -74,6 +85,7 @@ Measurements read_measurements(const std::filesystem::path& file) {
     const auto known = [&](const Column& c) { return name == c.name; };
     if (std::none_of(columns().begin(), columns().end(), known)) m.unknown_columns.push_back(name);
   }
+  for (const std::string& name : m.unknown_columns) keep_numbers(m, name);
   return m;
 }
 

@@ -7,11 +7,12 @@
 ///   critical_diameter_sigma_um     optional, standard deviation
 ///   contact_time_us                optional, measured contact of carrier and anvil
 ///   adhesive_energy_J_m2           optional, work of adhesion of the interface for this row
-/// Other columns are kept as text and named in `unknown_columns`.
+/// Other columns are named in `unknown_columns` and kept, as numbers where all cells are.
 /// Errors: InvalidInput with file, line and column. Tests: tests/analysis/measurements_test.cpp
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -27,6 +28,7 @@ struct KatRow {
   std::optional<double> critical_diameter_sigma_um{};
   std::optional<double> contact_time_us{};
   std::optional<double> adhesive_energy_J_m2{};
+  std::map<std::string, double> other{};  ///< unknown columns whose cells are all numbers
 };
 
 struct Measurements {

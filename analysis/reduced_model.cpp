@@ -50,6 +50,18 @@ struct ReducedModel::Sphere {
     return law.effective_modulus_Pa() * a * (w * w + 2.0 / 3.0 * w * h + 0.2 * h * h) -
            law.work_of_adhesion_J_m2() * JkrLaw::kPi * a * a;
   }
+  /// From dF/d(delta) at the given sqrt(a).
+  double period_s(double root) const {
+    const double s3 = root * root * root;
+    const double c = (s3 * root / radius_m - law.overlap_m(root, radius_m)) / root;
+    const double stiffness = law.effective_modulus_Pa() * root * root *
+                             (8.0 * s3 / radius_m - 6.0 * c) / (4.0 * s3 / radius_m - c);
+    return 2.0 * JkrLaw::kPi * std::sqrt(mass_kg / stiffness);
+  }
+  double root_at_tear_off() const {
+    return law.next_root(law.tear_off_overlap_m(radius_m), radius_m,
+                         std::sqrt(law.equilibrium_contact_radius_m(radius_m)));
+  }
 };
 
 ReducedModel::ReducedModel(KatSetup setup) : setup_(std::move(setup)) {
@@ -127,13 +139,7 @@ DropOutcome ReducedModel::run(const Sphere& s, double impact_velocity) const {
     return out;
   }
   double w = -law.overlap_m(root, radius);
-
-  // dF/d(delta) at the start sets the contact's own period.
-  const double s3 = root * root * root;
-  const double c = (s3 * root / radius + w) / root;
-  const double stiffness = law.effective_modulus_Pa() * root * root *
-                           (8.0 * s3 / radius - 6.0 * c) / (4.0 * s3 / radius - c);
-  const double period = 2.0 * JkrLaw::kPi * std::sqrt(m / stiffness);
+  const double period = s.period_s(root);
   const bool instant =
       stop.shape() == StopPulse::Shape::instant || stop.duration_s() < kInstantBelow * period;
   const double stop_end = instant ? 0.0 : stop.duration_s();
@@ -158,8 +164,7 @@ DropOutcome ReducedModel::run(const Sphere& s, double impact_velocity) const {
     return force;
   };
   const double w_tear = -law.tear_off_overlap_m(radius);
-  const double root_tear =
-      law.next_root(-w_tear, radius, std::sqrt(law.equilibrium_contact_radius_m(radius)));
+  const double root_tear = s.root_at_tear_off();
   double barrier = law.energy_J(root_tear, radius);
   if constexpr (kGapForces) barrier += gap_.energy_J(w_tear, radius);
 
@@ -225,18 +230,43 @@ DropOutcome ReducedModel::run(const Sphere& s, double impact_velocity) const {
   return out;
 }
 
-DropOutcome ReducedModel::drop(double diameter_m, double impact_velocity) const {
+ReducedModel::Sphere ReducedModel::sphere(double diameter_m) const {
   if (!(diameter_m > 0.0 && std::isfinite(diameter_m))) {
     throw InvalidInput("particle diameter", fmt::format("{:g}", diameter_m) + " m", "> 0 m",
                        "give a diameter, such as 50e-6");
   }
+  const double radius = 0.5 * diameter_m;
+  return {radius, models::sphere_mass_kg(radius, setup_.particle.density_kg_m3),
+          contact_.law(radius)};
+}
+
+double ReducedModel::contact_period_s(double diameter_m) const {
+  const Sphere s = sphere(diameter_m);
+  const double root = equilibrium_root(s);
+  return root > 0.0 ? s.period_s(root) : 0.0;
+}
+
+double ReducedModel::escape_speed_m_s(double diameter_m) const {
+  const Sphere s = sphere(diameter_m);
+  const double root = equilibrium_root(s);
+  if (root == 0.0) return 0.0;
+  const double weight = s.mass_kg * setup_.gravity_m_s2;
+  const double w = -s.law.overlap_m(root, s.radius_m);
+  const double w_tear = -s.law.tear_off_overlap_m(s.radius_m);
+  // The neck's own energy is lost at tear-off; what pulls across the gap must still be climbed.
+  const double needed = s.law.energy_J(s.root_at_tear_off(), s.radius_m) -
+                        s.law.energy_J(root, s.radius_m) - weight * (w_tear - w) +
+                        gap_.energy_J(w_tear, s.radius_m) - gap_.energy_J(w, s.radius_m) +
+                        gap_.climb_J(w_tear, s.radius_m, weight);
+  return std::sqrt(std::max(0.0, 2.0 * needed / s.mass_kg));
+}
+
+DropOutcome ReducedModel::drop(double diameter_m, double impact_velocity) const {
+  const Sphere s = sphere(diameter_m);
   if (!(impact_velocity > 0.0 && std::isfinite(impact_velocity))) {
     throw InvalidInput("impact velocity", fmt::format("{:g}", impact_velocity) + " m/s", "> 0 m/s",
                        "give the speed at which the plate meets the anvil");
   }
-  const double radius = 0.5 * diameter_m;
-  const Sphere s{radius, models::sphere_mass_kg(radius, setup_.particle.density_kg_m3),
-                 contact_.law(radius)};
   return gap_.none() ? run<false>(s, impact_velocity) : run<true>(s, impact_velocity);
 }
 

@@ -64,12 +64,23 @@ class ReducedModel {
     return drop(diameter_m, impact_velocity_m_s).detached;
   }
 
+  /// Speed change of an instant stop that just takes the particle off [m/s], from its energy:
+  /// 0 when its weight suffices. Valid without damping and without rate dependence.
+  double escape_speed_m_s(double diameter_m) const;
+  /// Natural period of the contact at rest [s]; 0 when nothing holds the particle.
+  double contact_period_s(double diameter_m) const;
+  bool rate_dependent() const { return contact_.rate_dependent(); }
+  bool gap_forces() const { return !gap_.none(); }
+  /// Contact law of a particle of this radius, with what the effects leave of Gamma.
+  models::JkrLaw law(double radius_m) const { return contact_.law(radius_m); }
+
   const KatSetup& setup() const { return setup_; }
   /// Contact law of a smooth particle.
   const models::JkrLaw& smooth_law() const { return smooth_; }
 
  private:
   struct Sphere;
+  Sphere sphere(double diameter_m) const;
   double equilibrium_root(const Sphere& sphere) const;
   double steps_per_period(double period_s) const;
   template <bool kGapForces>

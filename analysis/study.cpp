@@ -67,6 +67,19 @@ models::Material read_material(const StrictTable& table) {
   return m;
 }
 
+FreeRange read_range(const StrictTable& table, const models::EffectParameter& p,
+                     std::size_t position) {
+  const std::vector<double> values = *table.numbers(p.name);
+  if (values.size() != 2 ||
+      !(values[0] >= p.lower && values[0] < values[1] && values[1] <= p.upper)) {
+    throw InvalidInput(table.place(p.name), fmt::format("[{}]", fmt::join(values, ", ")),
+                       fmt::format("[low, high] within {:g} to {:g}, or one number", p.lower,
+                                   p.upper),
+                       "correct the bounds");
+  }
+  return {position, values[0], values[1]};
+}
+
 EffectChoice read_effect(const StrictTable& model, const StrictTable& tables,
                          const std::string& name) {
   const models::EffectInfo* info = nullptr;
@@ -83,6 +96,12 @@ EffectChoice read_effect(const StrictTable& model, const StrictTable& tables,
   const StrictTable table = tables.table(name, keys);
   EffectChoice choice{name, {}};
   for (const auto& p : info->parameters) {
+    if (table.is_list(p.name)) {
+      const FreeRange range = read_range(table, p, choice.parameters.size());
+      choice.free.push_back(range);
+      choice.parameters.push_back(std::clamp(p.typical, range.lower, range.upper));
+      continue;
+    }
     const double value = table.number(p.name).value_or(p.typical);
     if (!(value >= p.lower && value <= p.upper) && value != p.off) {
       throw InvalidInput(table.place(p.name), fmt::format("{:g}", value),
@@ -118,7 +137,7 @@ std::vector<EffectChoice> read_effects(const StrictTable& root) {
 }
 
 EnergyRange read_energy(const StrictTable& root, bool needed) {
-  const StrictTable fit = root.table("fit", {"adhesive_energy_J_m2"});
+  const StrictTable fit = root.table("fit", {"adhesive_energy_J_m2", "model_discrepancy"});
   const std::string key = "adhesive_energy_J_m2";
   const std::string allowed = "bounds [low, high] with 0 < low < high, or one number > 0";
   if (!fit.has(key)) {
@@ -136,6 +155,17 @@ EnergyRange read_energy(const StrictTable& root, bool needed) {
                        "correct the bounds");
   }
   return {values[0], values[1]};
+}
+
+double read_discrepancy(const StrictTable& root, double by_default) {
+  constexpr double largest = 0.5;
+  const StrictTable fit = root.table("fit", {});
+  const double value = fit.number("model_discrepancy").value_or(by_default);
+  if (!(value >= 0.0 && value <= largest)) {
+    throw InvalidInput(fit.place("model_discrepancy"), fmt::format("{:g}", value),
+                       "0 to 0.5, relative", "use 0.015: 1.5 % for the form of a model");
+  }
+  return value;
 }
 
 KatOptions read_kat(const StrictTable& kat, bool rate_dependent) {
@@ -248,6 +278,7 @@ Study read_study(const std::filesystem::path& file) {
 
   const bool energy_in_rows = study.rows.front().adhesive_energy_J_m2.has_value();
   study.adhesive_energy = read_energy(root, !energy_in_rows);
+  study.model_discrepancy = read_discrepancy(root, study.model_discrepancy);
   if (energy_in_rows && root.table("fit", {}).has("adhesive_energy_J_m2")) {
     throw InvalidInput(root.table("fit", {}).place("adhesive_energy_J_m2"),
                        "a value here and a column adhesive_energy_J_m2 in the measurements",
@@ -267,8 +298,11 @@ Study read_study(const std::filesystem::path& file) {
   return study;
 }
 
-std::vector<EffectChoice> row_effects(const Study& study, const KatRow& row) {
-  std::vector<EffectChoice> effects = study.effects;
+bool given_by_rows(const Study& study, const std::string& effect, std::size_t parameter) {
+  return effect == kPulseEffect && parameter == 0 && study.rows.front().contact_time_us.has_value();
+}
+
+std::vector<EffectChoice> row_effects(std::vector<EffectChoice> effects, const KatRow& row) {
   for (EffectChoice& e : effects) {
     if (e.name == kPulseEffect && row.contact_time_us)
       e.parameters[0] = *row.contact_time_us * 1e-6;
@@ -276,16 +310,21 @@ std::vector<EffectChoice> row_effects(const Study& study, const KatRow& row) {
   return effects;
 }
 
-KatSetup row_setup(const Study& study, const KatRow& row, double work_of_adhesion_J_m2) {
+KatSetup row_setup(const Study& study, const std::vector<EffectChoice>& effects, const KatRow& row,
+                   double work_of_adhesion_J_m2) {
   KatSetup setup;
   setup.particle = study.particle;
   setup.substrate = study.substrate;
   setup.work_of_adhesion_J_m2 = work_of_adhesion_J_m2;
   setup.restitution = study.kat.restitution;
-  for (const EffectChoice& e : row_effects(study, row)) {
+  for (const EffectChoice& e : row_effects(effects, row)) {
     setup.effects.push_back(models::make_effect(e.name, e.parameters));
   }
   return setup;
+}
+
+KatSetup row_setup(const Study& study, const KatRow& row, double work_of_adhesion_J_m2) {
+  return row_setup(study, study.effects, row, work_of_adhesion_J_m2);
 }
 
 }  // namespace powderlink::analysis

@@ -7,8 +7,10 @@
 ///   [particle]   material = NAME, or density_kg_m3, youngs_modulus_Pa, poissons_ratio
 ///   [substrate]  the same
 ///   [model]      effects = [NAME...]                    names of `powderlink effects`
-///   [effect.NAME]  parameters of that effect            absent ones have their typical values
+///   [effect.NAME]  parameters of that effect            a number fixes one, [low, high] leaves it
+///                to the fit; absent ones have their typical values
 ///   [fit]        adhesive_energy_J_m2 = [low, high]     bounds of a fit; a single number fixes it
+///                model_discrepancy = 0.015              what the form of a prediction may be off
 ///   [kat]        all optional: velocities_m_s = [...] (without a measurement file), wall =
 ///                "primitive"|"mesh", frame = "plate"|"moving", time_step_rayleigh = 0.1
 ///                (0.02 with a rate-dependent effect), restitution = 1.0, particles = 64, resolution = 0.002,
@@ -29,9 +31,16 @@
 
 namespace powderlink::analysis {
 
+/// Bounds of a parameter that a study leaves free.
+struct FreeRange {
+  std::size_t parameter = 0;  ///< position in the registry's order
+  double lower = 0.0, upper = 0.0;
+};
+
 struct EffectChoice {
   std::string name;
   std::vector<double> parameters;  ///< all of them, in the registry's order
+  std::vector<FreeRange> free{};   ///< those to fit; `parameters` has their start
 };
 
 struct KatOptions {
@@ -59,6 +68,7 @@ struct Study {
   std::vector<EffectChoice> effects;
   EnergyRange adhesive_energy;
   KatOptions kat;
+  double model_discrepancy = 0.015;  ///< of a prediction's form, relative, beside the noise
   std::vector<KatRow> rows;
   std::vector<std::string> notes;  ///< for stderr: kept columns, unusual values
 };
@@ -68,7 +78,14 @@ Study read_study(const std::filesystem::path& file);
 /// The reduced model's set-up for one row: effects made, a measured contact time taken as tau.
 KatSetup row_setup(const Study& study, const KatRow& row, double work_of_adhesion_J_m2);
 
+/// The same with other effects than the study's.
+KatSetup row_setup(const Study& study, const std::vector<EffectChoice>& effects, const KatRow& row,
+                   double work_of_adhesion_J_m2);
+
 /// Effects with the parameters that hold for this row.
-std::vector<EffectChoice> row_effects(const Study& study, const KatRow& row);
+std::vector<EffectChoice> row_effects(std::vector<EffectChoice> effects, const KatRow& row);
+
+/// True when the measurements themselves give this parameter of the effect, row by row.
+bool given_by_rows(const Study& study, const std::string& effect, std::size_t parameter);
 
 }  // namespace powderlink::analysis

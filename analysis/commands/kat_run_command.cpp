@@ -7,9 +7,9 @@
 #include <memory>
 #include <thread>
 
-#include "analysis/adhesion_fit.h"
 #include "analysis/checks.h"
 #include "analysis/commands/commands.h"
+#include "analysis/evidence/study_fit.h"
 #include "analysis/kat/kat_output.h"
 #include "analysis/kat/kat_runner.h"
 #include "analysis/kat/progress.h"
@@ -49,12 +49,12 @@ void run(const Options& o) {
   }
   if (!o.json.empty()) require_folder_of(o.json);
 
-  const RowEnergies energies = row_energies(study);
+  const StudyFit energies = fit_study(study);
   if (energies.fitted) {
     const std::string warning = adhesive_energy_warning(energies.adhesive_energy_J_m2[0], "fit");
     if (!warning.empty()) fmt::print(stderr, "powderlink: {}\n", warning);
   }
-  const std::vector<KatPoint> points = run_study(study, energies.adhesive_energy_J_m2, run);
+  const std::vector<KatPoint> points = run_study(energies.study, energies.adhesive_energy_J_m2, run);
 
   write_file(run.out / "kat.csv", kat_csv(study.name, points));
   write_file(run.out / "particles.csv", particles_csv(study.name, points));

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file critical_speed.h
+/// The stop that just takes a sphere off, without following its motion; many times faster than
+/// ReducedModel::drop() and as good as the fits need.
+///
+///   instant stop          energy:  v_c = v_esc(d)                       (exact without damping)
+///   half-sine, Hertz stop v_c = v_esc g(tau/T),   no forces across the gap; gravity by peak load
+///   moving edge           v_c = v_esc h(v* T/a0, n),  instant stop, rate_dependent_adhesion alone
+///
+/// JKR has one scale each of length, force and time, so that g and h are the same for all materials,
+/// Gamma and sizes. They are tabulated from the reduced model itself at first use.
+/// Symbols: v_c speed change of the plate, v (1 + e_p) [m/s]; T period of the contact at rest [s];
+/// a0 contact radius at rest [m]; v*, n of models/effects/rate_dependent_adhesion.h.
+/// Validity: restitution 1; everything else is not `available` and needs the integration.
+/// Accuracy: 1e-3 of d_c. Tests: tests/analysis/critical_speed_test.cpp
+#pragma once
+
+#include "analysis/reduced_model.h"
+
+namespace powderlink::models {
+class RateDependentAdhesion;
+}
+
+namespace powderlink::analysis {
+
+class CriticalSpeed {
+ public:
+  /// \param model  not owned, must outlive this object
+  explicit CriticalSpeed(const ReducedModel& model);
+
+  bool available() const { return kind_ != Kind::none; }
+  /// Speed change [m/s]; 0 when the weight suffices.
+  double speed_change_m_s(double diameter_m) const;
+
+ private:
+  enum class Kind { none, instant, slow_pulse, moving_edge };
+
+  const ReducedModel& model_;
+  Kind kind_ = Kind::none;
+  const models::RateDependentAdhesion* edge_ = nullptr;
+};
+
+}  // namespace powderlink::analysis
