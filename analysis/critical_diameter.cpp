@@ -95,8 +95,8 @@ CriticalDiameter quick_critical_diameter(const ReducedModel& model, double impac
   };
   const double smallest = std::log(kSmallestDiameter_m);
   const double largest = std::log(kLargestDiameter_m);
-  double low = std::clamp(std::log(theory_diameter(model, impact_velocity).diameter_m), smallest,
-                          largest);
+  double low =
+      std::clamp(std::log(theory_diameter(model, impact_velocity).diameter_m), smallest, largest);
   double high = low;
   double at_low = excess(low);
   double at_high = at_low;

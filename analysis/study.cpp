@@ -72,10 +72,10 @@ FreeRange read_range(const StrictTable& table, const models::EffectParameter& p,
   const std::vector<double> values = *table.numbers(p.name);
   if (values.size() != 2 ||
       !(values[0] >= p.lower && values[0] < values[1] && values[1] <= p.upper)) {
-    throw InvalidInput(table.place(p.name), fmt::format("[{}]", fmt::join(values, ", ")),
-                       fmt::format("[low, high] within {:g} to {:g}, or one number", p.lower,
-                                   p.upper),
-                       "correct the bounds");
+    throw InvalidInput(
+        table.place(p.name), fmt::format("[{}]", fmt::join(values, ", ")),
+        fmt::format("[low, high] within {:g} to {:g}, or one number", p.lower, p.upper),
+        "correct the bounds");
   }
   return {position, values[0], values[1]};
 }

@@ -128,8 +128,8 @@ double slowness_factor(StopPulse::Shape shape, double periods) {
   if (periods > slow_above) {
     const double radius = 0.5 * kDiameter_m;
     const models::JkrLaw law = model.law(radius);
-    const double mass = 4.0 / 3.0 * models::JkrLaw::kPi * radius * radius * radius *
-                        setup.particle.density_kg_m3;
+    const double mass =
+        4.0 / 3.0 * models::JkrLaw::kPi * radius * radius * radius * setup.particle.density_kg_m3;
     const double peak = pulse(shape, periods * period).peak_deceleration_m_s2(1.0);
     return law.pull_off_force_N(radius) / (mass * peak) / model.escape_speed_m_s(kDiameter_m);
   }
@@ -146,7 +146,7 @@ double slowness_factor(StopPulse::Shape shape, double periods) {
 }
 
 double moving_edge_factor(double reduced_speed, double exponent) {
-  constexpr double step_speed = 0.7;     // of the logarithms
+  constexpr double step_speed = 0.7;  // of the logarithms
   constexpr double step_exponent = 0.35;
   static LazyGrid grid(step_speed, step_exponent, [](double x, double y, double guess) {
     KatSetup s = reference();

@@ -70,13 +70,12 @@ void run(const Options& o) {
     KatRunOptions run;
     run.runner = {find_liggghts(), o.wall_limit_s};
     run.out = o.out.empty() ? fs::path(o.study).parent_path() / "results" : fs::path(o.out);
-    run.jobs = o.jobs > 0 ? o.jobs
-                          : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+    run.jobs =
+        o.jobs > 0 ? o.jobs : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
     run.resolution = study.kat.resolution;
     judge(c, study, observations, dem_predictions(study, c.fit, run));
   }
-  if (!o.json.empty())
-    write_file(o.json, json_of(c, observations, o.backend).dump(1) + "\n");
+  if (!o.json.empty()) write_file(o.json, json_of(c, observations, o.backend).dump(1) + "\n");
   print(c, study, observations);
 }
 

@@ -54,7 +54,8 @@ void run(const Options& o) {
     const std::string warning = adhesive_energy_warning(energies.adhesive_energy_J_m2[0], "fit");
     if (!warning.empty()) fmt::print(stderr, "powderlink: {}\n", warning);
   }
-  const std::vector<KatPoint> points = run_study(energies.study, energies.adhesive_energy_J_m2, run);
+  const std::vector<KatPoint> points =
+      run_study(energies.study, energies.adhesive_energy_J_m2, run);
 
   write_file(run.out / "kat.csv", kat_csv(study.name, points));
   write_file(run.out / "particles.csv", particles_csv(study.name, points));

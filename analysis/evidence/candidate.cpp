@@ -144,8 +144,8 @@ std::vector<double> grid_of(const FitParameter& p, double from, double to, int p
   const double low = p.to_coordinate(std::clamp(from, p.lower, p.upper));
   const double high = p.to_coordinate(std::clamp(to, p.lower, p.upper));
   for (int i = 0; i < points; ++i)
-    grid.push_back(std::clamp(p.to_value(low + (high - low) * i / std::max(1, points - 1)), p.lower,
-                              p.upper));
+    grid.push_back(
+        std::clamp(p.to_value(low + (high - low) * i / std::max(1, points - 1)), p.lower, p.upper));
   return grid;
 }
 
@@ -204,8 +204,8 @@ std::vector<std::vector<double>> near_starts(const Setting& s, const Observation
       const ParameterEstimate* known = c->find(p.name);
       std::vector<double> values = {known != nullptr ? known->value : p.start};
       if (known == nullptr && s.slots[j].effect >= 0) {
-        values = p.logarithmic ? grid_of(p, p.lower, p.upper, points + 2)
-                               : std::vector<double>{p.start};
+        values =
+            p.logarithmic ? grid_of(p, p.lower, p.upper, points + 2) : std::vector<double>{p.start};
         if (p.logarithmic) values = {values.begin() + 1, values.end() - 1};
       }
       std::vector<std::vector<double>> next;
@@ -273,7 +273,8 @@ void judge_plausibility(Candidate& c) {
 void list_parameters(Candidate& c, const Setting& s, const Study& study) {
   const auto slot_of = [&](int effect, std::size_t parameter) -> std::optional<std::size_t> {
     for (std::size_t j = 0; j < s.slots.size(); ++j) {
-      if (s.slots[j].effect == effect && (effect < 0 || s.slots[j].parameter == parameter)) return j;
+      if (s.slots[j].effect == effect && (effect < 0 || s.slots[j].parameter == parameter))
+        return j;
     }
     return std::nullopt;
   };
@@ -360,8 +361,7 @@ bool residuals_fail(const std::vector<TrendTest>& tests, const std::vector<doubl
                     const Noise& noise) {
   constexpr double of_assumed = 3.0;
   const double mean_square = chi2_of(residuals) / static_cast<double>(residuals.size());
-  return least_p_value(tests) < kAlarm ||
-         (!noise.known() && mean_square > of_assumed * of_assumed);
+  return least_p_value(tests) < kAlarm || (!noise.known() && mean_square > of_assumed * of_assumed);
 }
 
 double Candidate::chi2_per_dof() const {

@@ -76,9 +76,8 @@ void judge(Comparison& c, const Study& study, const Observations& observations,
   std::vector<std::string> far;
   for (std::size_t i = 0; i < n; ++i) {
     if (std::fabs(c.residuals[i]) > kWorthNaming) {
-      far.push_back(fmt::format("{:g} m/s ({:.3g} um): {:+.1f}",
-                                study.rows[i].impact_velocity_m_s, observations.list[i].measured,
-                                c.residuals[i]));
+      far.push_back(fmt::format("{:g} m/s ({:.3g} um): {:+.1f}", study.rows[i].impact_velocity_m_s,
+                                observations.list[i].measured, c.residuals[i]));
     }
   }
   if (!far.empty())
@@ -95,24 +94,29 @@ void judge(Comparison& c, const Study& study, const Observations& observations,
   for (long i = 0; i < correlation.rows(); ++i) {
     for (long j = 0; j < i; ++j) {
       if (std::fabs(correlation(i, j)) < kCorrelated) continue;
-      c.words.push_back(
-          fmt::format("{} and {} are correlated ({:+.2f}): the data fix their combination",
-                      c.fit.problem.parameters[static_cast<std::size_t>(j)].name,
-                      c.fit.problem.parameters[static_cast<std::size_t>(i)].name,
-                      correlation(i, j)));
+      c.words.push_back(fmt::format(
+          "{} and {} are correlated ({:+.2f}): the data fix their combination",
+          c.fit.problem.parameters[static_cast<std::size_t>(j)].name,
+          c.fit.problem.parameters[static_cast<std::size_t>(i)].name, correlation(i, j)));
     }
   }
   if (!c.fit.plausible) c.words.push_back("implausible: " + c.fit.why);
 }
 
+std::vector<ProfileInterval> intervals_of(const Candidate& c, const Observations& observations) {
+  const int degrees = static_cast<int>(observations.list.size()) - c.fitted();
+  const double scatter = degrees > 0 ? c.solution.chi2 / degrees : 1.0;
+  const double rise = observations.noise.known() ? 1.0 : scatter;
+  std::vector<ProfileInterval> intervals;
+  for (std::size_t j = 0; j < c.solution.values.size(); ++j)
+    intervals.push_back(profile_interval(c.problem, c.solution, j, rise));
+  return intervals;
+}
+
 Comparison compare(const Study& study, const Observations& observations) {
   Comparison c;
   c.fit = fit_candidate(study, observations, {});
-  const int degrees = static_cast<int>(observations.list.size()) - c.fit.fitted();
-  const double scatter = degrees > 0 ? c.fit.solution.chi2 / degrees : 1.0;
-  const double rise = observations.noise.known() ? 1.0 : scatter;
-  for (std::size_t j = 0; j < c.fit.solution.values.size(); ++j)
-    c.intervals.push_back(profile_interval(c.fit.problem, c.fit.solution, j, rise));
+  c.intervals = intervals_of(c.fit, observations);
   c.uncertainty = uncertainty(c.fit.problem, c.fit.solution);
   judge(c, study, observations, c.fit.predicted);
   return c;

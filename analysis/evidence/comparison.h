@@ -31,6 +31,10 @@ std::string to_string(Comparison::Verdict verdict);
 
 Comparison compare(const Study& study, const Observations& observations);
 
+/// Profile intervals of a candidate's fitted parameters, in their order.
+std::vector<ProfileInterval> intervals_of(const Candidate& candidate,
+                                          const Observations& observations);
+
 /// Judges other predictions for the same rows, of LIGGGHTS, with the fit as it is.
 void judge(Comparison& comparison, const Study& study, const Observations& observations,
            const std::vector<double>& model);

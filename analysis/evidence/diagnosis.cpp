@@ -21,11 +21,10 @@ constexpr std::size_t kPairsFromBest = 4;  // pairs are made of these and all ot
 void require_rows(const Study& study) {
   const std::size_t n = study.rows.size();
   if (n < kFewestRows) {
-    throw InvalidInput(study.file.string() + ": rows to diagnose",
-                       fmt::format("{} row{}", n, n == 1 ? "" : "s"),
-                       fmt::format("at least {}: with fewer every effect explains everything",
-                                   kFewestRows),
-                       "measure at more velocities; 'powderlink compare' works with fewer rows");
+    throw InvalidInput(
+        study.file.string() + ": rows to diagnose", fmt::format("{} row{}", n, n == 1 ? "" : "s"),
+        fmt::format("at least {}: with fewer every effect explains everything", kFewestRows),
+        "measure at more velocities; 'powderlink compare' works with fewer rows");
   }
   std::vector<double> v;
   for (const KatRow& row : study.rows) v.push_back(row.impact_velocity_m_s);
@@ -175,7 +174,8 @@ Diagnosis diagnose(const Study& study, const Observations& observations) {
     if (enough.empty()) {
       d.pairs = fit_pairs(study, observations, d.ranking);
       for (const Candidate& c : d.pairs) {
-        if (suffices(c, none, noise) && c.bic < d.ranking.front().bic - kClears) enough.push_back(&c);
+        if (suffices(c, none, noise) && c.bic < d.ranking.front().bic - kClears)
+          enough.push_back(&c);
       }
       d.verdict = enough.empty() ? Verdict::unexplained : Verdict::ambiguous;
     }

@@ -35,10 +35,11 @@ std::string to_string(Verdict verdict);
 
 struct Diagnosis {
   Verdict verdict = Verdict::unexplained;
-  std::string best;  ///< empty: none
+  std::string best;                ///< empty: none
   std::vector<Candidate> ranking;  ///< best first, always with "none"
   std::vector<Candidate> pairs;    ///< best first; only when no single effect suffices
-  std::vector<std::string> indistinguishable;  ///< those that the data cannot tell apart, best first
+  std::vector<std::string>
+      indistinguishable;  ///< those that the data cannot tell apart, best first
   std::vector<Pattern> patterns;
   std::vector<std::string> words;  ///< the verdict in sentences
   NextMeasurement next;

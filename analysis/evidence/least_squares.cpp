@@ -41,7 +41,8 @@ class Residuals : public ceres::CostFunction {
       std::vector<double> moved = at;
       moved[j] += step;
       const std::vector<double> r_moved = evaluate(moved);
-      for (std::size_t i = 0; i < r.size(); ++i) jacobians[0][i * k + j] = (r_moved[i] - r[i]) / step;
+      for (std::size_t i = 0; i < r.size(); ++i)
+        jacobians[0][i * k + j] = (r_moved[i] - r[i]) / step;
     }
     return true;
   }
@@ -236,7 +237,8 @@ Uncertainty uncertainty(const FitProblem& problem, const FitSolution& solution) 
     std::string text;
     for (long j = 0; j < k; ++j) {
       if (std::fabs(direction[j]) > part_of_direction)
-        text += (text.empty() ? "" : " and ") + problem.parameters[static_cast<std::size_t>(j)].name;
+        text +=
+            (text.empty() ? "" : " and ") + problem.parameters[static_cast<std::size_t>(j)].name;
     }
     u.flat.push_back(text);
   }

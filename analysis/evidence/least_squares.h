@@ -63,8 +63,8 @@ ProfileInterval profile_interval(const FitProblem& problem, const FitSolution& s
 /// Correlation of the parameters; and directions that the data leave open.
 struct Uncertainty {
   Eigen::MatrixXd correlation;
-  std::vector<double> sigma;              ///< in the parameters' coordinates
-  std::vector<std::string> flat;          ///< "a and b together", one text per open direction
+  std::vector<double> sigma;      ///< in the parameters' coordinates
+  std::vector<std::string> flat;  ///< "a and b together", one text per open direction
 };
 Uncertainty uncertainty(const FitProblem& problem, const FitSolution& solution);
 

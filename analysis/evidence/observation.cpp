@@ -12,7 +12,7 @@ namespace powderlink::analysis {
 
 namespace {
 
-constexpr double kFewestReplicates = 3.0;  // degrees of freedom that make an estimate of its own
+constexpr double kFewestReplicates = 3.0;    // degrees of freedom that make an estimate of its own
 constexpr double kWeightOfAssumption = 2.0;  // degrees of freedom, beside those of replicates
 
 /// Squares around the means of rows that repeat a velocity, and their degrees of freedom.
@@ -74,12 +74,11 @@ Observations observe(const Study& study) {
     o.noise.origin = e.degrees_of_freedom >= kFewestReplicates ? Noise::Origin::replicates
                                                                : Noise::Origin::assumed;
     o.noise.degrees_of_freedom = e.degrees_of_freedom;
-    o.noise.relative =
-        o.noise.origin == Noise::Origin::assumed
-            ? kAssumedRelativeNoise
-            : std::sqrt((e.sum + kWeightOfAssumption * kAssumedRelativeNoise *
-                                     kAssumedRelativeNoise) /
-                        (e.degrees_of_freedom + kWeightOfAssumption));
+    o.noise.relative = o.noise.origin == Noise::Origin::assumed
+                           ? kAssumedRelativeNoise
+                           : std::sqrt((e.sum + kWeightOfAssumption * kAssumedRelativeNoise *
+                                                    kAssumedRelativeNoise) /
+                                       (e.degrees_of_freedom + kWeightOfAssumption));
   }
   const double n = static_cast<double>(study.rows.size());
   for (const KatRow& row : study.rows) {
@@ -95,9 +94,9 @@ Observations observe(const Study& study) {
 }
 
 double predicted_diameter_um(const Study& study, const Hypothesis& hypothesis, const KatRow& row) {
-  const ReducedModel model(row_setup(study, hypothesis.effects, row,
-                                     row.adhesive_energy_J_m2.value_or(
-                                         hypothesis.adhesive_energy_J_m2)));
+  const ReducedModel model(
+      row_setup(study, hypothesis.effects, row,
+                row.adhesive_energy_J_m2.value_or(hypothesis.adhesive_energy_J_m2)));
   double diameter = quick_critical_diameter(model, row.impact_velocity_m_s).diameter_m;
   for (const auto& effect : model.setup().effects) diameter = effect->observed_diameter_m(diameter);
   return diameter * 1e6;

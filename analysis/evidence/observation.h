@@ -32,9 +32,9 @@ struct Observation {
 struct Noise {
   enum class Origin { stated, replicates, assumed };
   Origin origin = Origin::stated;
-  double relative = 0.0;        ///< typical value
+  double relative = 0.0;            ///< typical value
   double degrees_of_freedom = 0.0;  ///< behind an estimate from replicates
-  double discrepancy = 0.0;     ///< of the model's form, relative
+  double discrepancy = 0.0;         ///< of the model's form, relative
   /// chi^2 can be compared with its distribution only where the noise is known.
   bool known() const { return origin != Origin::assumed; }
   std::string text() const;
