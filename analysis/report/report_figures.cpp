@@ -124,8 +124,8 @@ Figure draw_fit(const StudyResult& r, const Sheet& sheet) {
   }
   const bool one_curve = !r.curve.velocity_m_s.empty();
   std::string caption = fmt::format(
-      "{}: measured critical diameters with their standard deviation ({}), and the model {}",
-      r.study.name, r.observations.noise.text(),
+      "{}: measured critical diameters with their standard deviation, and the model {}",
+      r.study.name,
       r.effects().empty() ? "without an added effect" : "with " + r.effects());
   caption += one_curve ? "; band: one standard deviation of the fit." : ".";
   return sheet.draw(

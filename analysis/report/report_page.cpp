@@ -11,6 +11,7 @@
 #include "analysis/read_file.h"
 #include "analysis/report/inline_svg.h"
 #include "analysis/report/report_words.h"
+#include "analysis/report/typeset.h"
 #include "analysis/units.h"
 #include "models/invalid_input.h"
 
@@ -32,7 +33,7 @@ std::string number(double value, int digits) {
 
 Data list_of(const std::vector<std::string>& texts) {
   Data list(Data::type::list);
-  for (const std::string& text : texts) list << Data(text);
+  for (const std::string& text : texts) list << Data(sentence(text));
   return list;
 }
 
@@ -60,7 +61,7 @@ Data parameter_table(const std::string& caption, const Candidate& c,
     d.set("name", p.name);
     d.set("of", p.effect.empty() ? "interface" : p.effect);
     d.set("value", fmt::format("{:.4g}", p.value));
-    d.set("unit", unit_of(p.name));
+    d.set("unit", typeset(unit_of(p.name)));
     d.set("interval", is_fitted                                 ? interval_text(intervals[fitted])
                       : p.role == ParameterEstimate::Role::held ? "held: not determined"
                                                                 : "given");
@@ -70,7 +71,7 @@ Data parameter_table(const std::string& caption, const Candidate& c,
     d.set("range", fmt::format("{:.4g} to {:.4g}", p.plausible_lower, p.plausible_upper));
     d.set("plausible", p.plausible() ? "yes" : "no");
     d.set("class", p.plausible() ? "good" : "bad");
-    d.set("source", p.source);
+    d.set("source", typeset(p.source));
     rows << d;
     if (is_fitted) ++fitted;
   }
@@ -141,9 +142,11 @@ Data candidates(const Diagnosis& d) {
     row.set("rms", percent(c->rms_relative_error));
     row.set("loo", percent(c->loo_rms_relative_error));
     row.set("chi2", number(c->chi2_per_dof(), 3));
-    row.set("plausible", c->plausible ? "yes" : "no: " + c->why);
-    row.set("class", c->plausible ? "good" : "bad");
-    row.set("parameters", c->acts ? parameter_text(*c) : c->why);
+    row.set("plausible", !c->acts      ? kNone
+                         : c->plausible ? "yes"
+                                        : typeset("no: " + c->why));
+    row.set("class", !c->acts ? "soft" : c->plausible ? "good" : "bad");
+    row.set("parameters", typeset(c->acts ? parameter_text(*c) : c->why));
     list << row;
   }
   return list;
@@ -160,7 +163,7 @@ Data study(const ReportPage& page, std::size_t i) {
   d.set("substrate", r.study.substrate.name);
   d.set("row_count", std::to_string(r.observations.list.size()));
   d.set("effects", r.effects().empty() ? "none" : r.effects());
-  d.set("noise", r.observations.noise.text());
+  d.set("noise", typeset(r.observations.noise.text()));
   d.set("verdict", to_string(r.comparison.verdict));
   d.set("class", to_string(r.comparison.verdict));
   d.set("rms", percent(r.comparison.rms_relative_error));
@@ -190,7 +193,7 @@ Data study(const ReportPage& page, std::size_t i) {
   if (r.diagnosis) {
     d.set("words", list_of(r.diagnosis->words));
     d.set("candidates", candidates(*r.diagnosis));
-    d.set("next_text", r.diagnosis->next.text);
+    d.set("next_words", list_of(parts(r.diagnosis->next.text)));
     d.set("ranking", figure(*f.ranking, "full", page.folder));
     d.set("next", figure(*f.next, "main", page.folder));
   }
@@ -223,8 +226,8 @@ std::string html(const ReportPage& page) {
   }
   d.set("facts", facts);
   d.set("figure_folder", page.folder.filename().string());
-  d.set("figure", mustache::partial([] { return std::string(kFigureTemplate); }));
-  d.set("parameters", mustache::partial([] { return std::string(kParametersTemplate); }));
+  d.set("figure_html", mustache::partial([] { return std::string(kFigureTemplate); }));
+  d.set("parameters_html", mustache::partial([] { return std::string(kParametersTemplate); }));
 
   mustache::mustache engine{std::string(kReportTemplate)};
   std::string text = engine.render(d);

@@ -8,7 +8,7 @@ set datafile separator ","
 set xlabel "impact velocity {/:Italic v} (m/s)"
 set ylabel "critical diameter {/:Italic d}_c (µm)"
 load scripts . '/log_axes.gp'
-set key outside above center horizontal maxcols 2 Left reverse width 2
+set key outside above center horizontal maxrows 2 Left reverse width 1
 set style fill transparent solid 0.22 noborder
 set style textbox noborder
 model_plot = one_curve ? \
@@ -18,7 +18,7 @@ dem_plot = n_dem > 0 ? \
   "table using 'impact_velocity_m_s':'dem_um' with points linestyle 3 pointtype 6 pointsize 1.3 title 'LIGGGHTS', table using 'impact_velocity_m_s':'dem_um':'dem_hover' with labels hypertext point pointtype 7 pointsize 1.6 linecolor rgb '#FF4477AA' notitle, " : ""
 # Bars as arrows with flat heads: gnuplot's error bars blank what lies under their point.
 eval "plot " . model_plot . dem_plot . \
-  "table using 'impact_velocity_m_s':(column('measured_um')-column('sigma_um')):(0):(2*column('sigma_um')) with vectors heads nofilled size graph 0.009,90 linestyle 4 notitle, " . \
-  "table using 'impact_velocity_m_s':'measured_um' with points linestyle 4 pointtype 5 title 'measured', " . \
+  "table using 'impact_velocity_m_s':(column('measured_um')-column('sigma_um')):(0):(2*column('sigma_um')) with vectors heads nofilled size graph 0.011,90 linestyle 4 notitle, " . \
+  "table using 'impact_velocity_m_s':'measured_um' with points linestyle 4 pointtype 7 pointsize 0.7 title 'measured', " . \
   "table using 'impact_velocity_m_s':'measured_um':'hover' with labels hypertext point pointtype 7 pointsize 1.6 linecolor rgb '#FFEE7733' notitle"
 set output

@@ -7,13 +7,13 @@ set datafile separator ","
 set xlabel "impact velocity {/:Italic v} (m/s)"
 set ylabel "critical diameter {/:Italic d}_c (µm)"
 load scripts . '/log_axes.gp'
-set key outside above center horizontal maxcols 2 Left reverse width 2 noenhanced
+set key outside above center horizontal maxrows 2 Left reverse width 1 noenhanced
 set style fill transparent solid 0.18 noborder
 array colours[6] = ["#4477AA", "#AA3377", "#009988", "#BB9911", "#777777", "#1A1A1A"]
 array dashes[6] = ["1", "(10,5)", "(3,3)", "(12,4,3,4)", "(2,5)", "(16,6)"]
 if (next_v > 0) {
   set arrow 1 from next_v, graph 0 to next_v, graph 1 nohead linecolor rgb ink linewidth 1.4 dashtype (6,4) back
-  set label 1 sprintf("next: %.3g m/s ", next_v) at next_v, graph 0.04 right font ",15"
+  set label 1 sprintf("next: %.3g m/s ", next_v) at next_v, graph 0.95 right font ",15"
 }
 command = ""
 do for [i=1:n_curves] {
@@ -25,7 +25,7 @@ if (next_v > 0) {
   command = command . "points using 'velocity_m_s':'diameter_um':'hover' with labels hypertext point pointtype 7 pointsize 1.6 linecolor rgb '#FF1A1A1A' notitle, "
 }
 eval "plot " . command . \
-  "table using 'impact_velocity_m_s':(column('measured_um')-column('sigma_um')):(0):(2*column('sigma_um')) with vectors heads nofilled size graph 0.009,90 linestyle 4 notitle, " . \
-  "table using 'impact_velocity_m_s':'measured_um' with points linestyle 4 pointtype 5 title 'measured', " . \
+  "table using 'impact_velocity_m_s':(column('measured_um')-column('sigma_um')):(0):(2*column('sigma_um')) with vectors heads nofilled size graph 0.011,90 linestyle 4 notitle, " . \
+  "table using 'impact_velocity_m_s':'measured_um' with points linestyle 4 pointtype 7 pointsize 0.7 title 'measured', " . \
   "table using 'impact_velocity_m_s':'measured_um':'hover' with labels hypertext point pointtype 7 pointsize 1.6 linecolor rgb '#FFEE7733' notitle"
 set output

@@ -1,11 +1,11 @@
 # Residuals in standard deviations against one column; within the grey band the model fits.
 # Called by powderlink report, which sets: table, output, x_title, x_low, x_high, y_high (largest
 # residual), n_dem.
-set terminal svg size 560,420
+set terminal svg size 430,330
 set output output
 set datafile separator ","
 set xlabel x_title noenhanced
-set ylabel "(model − measured)/{/Symbol s}"
+set ylabel "(model − measured)/σ"
 set xrange [x_low - 0.06 * (x_high - x_low) : x_high + 0.06 * (x_high - x_low)]
 y_end = 1.15 * (y_high > 3 ? y_high : 3)
 set yrange [-y_end : y_end]

@@ -18,8 +18,8 @@ set boxwidth wide
 if (noise > 0) { set arrow 1 from graph 0, first noise to graph 1, first noise nohead linestyle 5 front }
 noise_plot = noise > 0 ? ", NaN with lines linestyle 5 title 'noise of one drop'" : ""
 dem_plot = n_dem > 0 ? \
-  ", table using (column('study')+half):'dem_percent' with boxes linecolor rgb '#4477AA' title 'LIGGGHTS', '' using (column('study')+half):'dem_percent':(sprintf('%.1f', column('dem_percent'))) with labels offset 0,0.7 font ',15' notitle, '' using (column('study')+half):(0.5*column('dem_percent')):'dem_hover' with labels hypertext point pointtype 5 pointsize 3 linecolor rgb '#FF000000' notitle" : ""
+  ", table using (column('study')+half):'dem_percent' with boxes linecolor rgb '#4477AA' title 'LIGGGHTS', '' using (column('study')+half):'dem_percent':(sprintf('%.1f', column('dem_percent'))) with labels offset 0,0.7 font ',15' notitle, for [k=1:9:2] '' using (column('study')+half):(0.1*k*column('dem_percent')):'dem_hover' with labels hypertext point pointtype 5 pointsize 3 linecolor rgb '#FF000000' notitle" : ""
 eval "plot table using (column('study')-half):'reduced_percent' with boxes linecolor rgb '#009988' title 'reduced model', " . \
   "'' using (column('study')-half):'reduced_percent':(sprintf('%.1f', column('reduced_percent'))) with labels offset 0,0.7 font ',15' notitle, " . \
-  "'' using (column('study')-half):(0.5*column('reduced_percent')):'hover' with labels hypertext point pointtype 5 pointsize 3 linecolor rgb '#FF000000' notitle" . dem_plot . noise_plot
+  "for [k=1:9:2] '' using (column('study')-half):(0.1*k*column('reduced_percent')):'hover' with labels hypertext point pointtype 5 pointsize 3 linecolor rgb '#FF000000' notitle" . dem_plot . noise_plot
 set output
