@@ -54,7 +54,8 @@ void run(const std::string& file, const std::string& json) {
 
 void add_diagnose_command(CLI::App& app) {
   CLI::App* c = app.add_subcommand(
-      "diagnose", "which physical effect is missing from a study, how surely, what to measure next");
+      "diagnose",
+      "which physical effect is missing from a study, how surely, what to measure next");
   auto study = std::make_shared<std::string>();
   auto json = std::make_shared<std::string>();
   c->add_option("study", *study, "study file (TOML)")->required();

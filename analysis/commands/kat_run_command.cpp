@@ -35,6 +35,12 @@ void run(const Options& o) {
   const Study study = read_study(o.study);
   for (const std::string& note : study.notes) fmt::print(stderr, "powderlink: {}\n", note);
 
+  for (const KatRow& row : study.rows) {
+    if (row.kind() == KatRow::Kind::critical_diameter) continue;
+    throw InvalidInput(o.study, "rows of retained shares or residual speeds",
+                       "critical diameters, or velocities_m_s",
+                       "use 'powderlink compare' and 'powderlink diagnose' for it");
+  }
   KatRunOptions run;
   run.runner = {find_liggghts(), o.wall_limit_s};
   run.out = o.out.empty() ? fs::path(o.study).parent_path() / "results" : fs::path(o.out);
@@ -54,7 +60,8 @@ void run(const Options& o) {
     const std::string warning = adhesive_energy_warning(energies.adhesive_energy_J_m2[0], "fit");
     if (!warning.empty()) fmt::print(stderr, "powderlink: {}\n", warning);
   }
-  const std::vector<KatPoint> points = run_study(energies.study, energies.adhesive_energy_J_m2, run);
+  const std::vector<KatPoint> points =
+      run_study(energies.study, energies.adhesive_energy_J_m2, run);
 
   write_file(run.out / "kat.csv", kat_csv(study.name, points));
   write_file(run.out / "particles.csv", particles_csv(study.name, points));

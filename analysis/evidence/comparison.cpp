@@ -24,6 +24,7 @@ std::vector<std::string> doubts(const Comparison& c, const Study& study) {
                                 c.residuals.size(), kFewestRows));
   }
   const bool one_velocity =
+      study.rows.front().kind() == KatRow::Kind::critical_diameter &&
       std::all_of(study.rows.begin(), study.rows.end(), [&](const KatRow& row) {
         return row.impact_velocity_m_s == study.rows.front().impact_velocity_m_s;
       });
@@ -59,7 +60,7 @@ void judge(Comparison& c, const Study& study, const Observations& observations,
   for (std::size_t i = 0; i < n; ++i) {
     c.residuals.push_back(residual(observations.list[i], model[i]));
     chi2 += c.residuals[i] * c.residuals[i];
-    squares += std::pow(model[i] / observations.list[i].measured - 1.0, 2);
+    squares += std::pow(observations.list[i].error(model[i]), 2);
   }
   c.rms_relative_error = std::sqrt(squares / static_cast<double>(n));
   const int degrees = static_cast<int>(n) - c.fit.fitted();
@@ -76,9 +77,8 @@ void judge(Comparison& c, const Study& study, const Observations& observations,
   std::vector<std::string> far;
   for (std::size_t i = 0; i < n; ++i) {
     if (std::fabs(c.residuals[i]) > kWorthNaming) {
-      far.push_back(fmt::format("{:g} m/s ({:.3g} um): {:+.1f}",
-                                study.rows[i].impact_velocity_m_s, observations.list[i].measured,
-                                c.residuals[i]));
+      far.push_back(fmt::format("{:g} m/s ({:.3g} um): {:+.1f}", study.rows[i].impact_velocity_m_s,
+                                observations.list[i].measured, c.residuals[i]));
     }
   }
   if (!far.empty())
@@ -95,11 +95,10 @@ void judge(Comparison& c, const Study& study, const Observations& observations,
   for (long i = 0; i < correlation.rows(); ++i) {
     for (long j = 0; j < i; ++j) {
       if (std::fabs(correlation(i, j)) < kCorrelated) continue;
-      c.words.push_back(
-          fmt::format("{} and {} are correlated ({:+.2f}): the data fix their combination",
-                      c.fit.problem.parameters[static_cast<std::size_t>(j)].name,
-                      c.fit.problem.parameters[static_cast<std::size_t>(i)].name,
-                      correlation(i, j)));
+      c.words.push_back(fmt::format(
+          "{} and {} are correlated ({:+.2f}): the data fix their combination",
+          c.fit.problem.parameters[static_cast<std::size_t>(j)].name,
+          c.fit.problem.parameters[static_cast<std::size_t>(i)].name, correlation(i, j)));
     }
   }
   if (!c.fit.plausible) c.words.push_back("implausible: " + c.fit.why);

@@ -9,8 +9,8 @@
 ///    most twice that noise.
 /// 3. The best that suffices is named alone, `missing_effect`, when it leads every other one that
 ///    suffices by kApart, is not at a bound, no foreign pattern (patterns.h) does as well, and it is
-///    plausible or no plausible one suffices. Otherwise `ambiguous`; all that cannot be told apart are
-///    named, and with an implausible leader the leading plausible one, which then is `best`.
+///    plausible or no plausible one that suffices is within kClears. Otherwise `ambiguous`; all that cannot
+///    be told apart are named, and with an implausible leader that plausible one, which then is `best`.
 /// 4. When none suffices, pairs are tried. A pair that does makes `ambiguous`: so many parameters
 ///    prove little. Else `unexplained`.
 /// Implausible parameters mark a candidate and do not remove it.
@@ -35,10 +35,11 @@ std::string to_string(Verdict verdict);
 
 struct Diagnosis {
   Verdict verdict = Verdict::unexplained;
-  std::string best;  ///< empty: none
+  std::string best;                ///< empty: none
   std::vector<Candidate> ranking;  ///< best first, always with "none"
   std::vector<Candidate> pairs;    ///< best first; only when no single effect suffices
-  std::vector<std::string> indistinguishable;  ///< those that the data cannot tell apart, best first
+  std::vector<std::string>
+      indistinguishable;  ///< those that the data cannot tell apart, best first
   std::vector<Pattern> patterns;
   std::vector<std::string> words;  ///< the verdict in sentences
   NextMeasurement next;

@@ -13,14 +13,14 @@ namespace powderlink::analysis {
 namespace {
 
 constexpr int kPoints = 41;
-constexpr double kAround = 2.0;  // beyond the measured velocities
-constexpr double kStep = 0.02;   // of a coordinate, for derivatives
+constexpr double kAround = 2.0;   // beyond the measured velocities
+constexpr double kStep = 0.02;    // of a coordinate, for derivatives
 constexpr double kDecides = 3.0;  // sigmas
 
 /// A drop at a new velocity; its contact time from the nearest row.
 KatRow row_at(const Study& study, double velocity) {
-  const auto nearest = std::min_element(
-      study.rows.begin(), study.rows.end(), [&](const KatRow& a, const KatRow& b) {
+  const auto nearest =
+      std::min_element(study.rows.begin(), study.rows.end(), [&](const KatRow& a, const KatRow& b) {
         return std::fabs(a.impact_velocity_m_s - velocity) <
                std::fabs(b.impact_velocity_m_s - velocity);
       });
@@ -53,8 +53,13 @@ Hypothesis moved(const Candidate& c, std::size_t fitted, double by) {
 
 double typical_sigma(const Observations& o) {
   double sum = 0.0;
-  for (const Observation& x : o.list) sum += x.sigma / static_cast<double>(o.list.size());
-  return sum;
+  double count = 0.0;
+  for (const Observation& x : o.list) {
+    if (x.row.kind() != KatRow::Kind::critical_diameter) continue;
+    sum += x.sigma;
+    count += 1.0;
+  }
+  return count > 0.0 ? sum / count : kAssumedRelativeNoise;
 }
 
 struct Best {
@@ -146,19 +151,20 @@ NextMeasurement next_measurement(const Study& study, const Observations& observa
   for (std::size_t b = 1; b < next.curves.size(); ++b) {
     const Best best = largest_separation(next.curves[0], next.curves[b], sigma);
     const double v = velocities[best.point];
-    detail += fmt::format("{}{:.2g} m/s, where {} predicts {:.3g} um and {} {:.3g} um ({:.1f} sigma "
-                          "of one drop)",
-                          b > 1 ? "; " : "", v, next.curves[0].name,
-                          next.curves[0].diameter_um[best.point], next.curves[b].name,
-                          next.curves[b].diameter_um[best.point], best.separation);
+    detail += fmt::format(
+        "{}{:.2g} m/s, where {} predicts {:.3g} um and {} {:.3g} um ({:.1f} sigma "
+        "of one drop)",
+        b > 1 ? "; " : "", v, next.curves[0].name, next.curves[0].diameter_um[best.point],
+        next.curves[b].name, next.curves[b].diameter_um[best.point], best.separation);
     if (b == 1 || best.separation < worst) {
       worst = best.separation;
       next.velocity_m_s = v;
       next.separation_sigma = best.separation;
     }
   }
-  next.text = (worst >= kDecides ? "a drop at " : "no single drop decides; the most telling is at ") +
-              detail + decisive_tests(leading);
+  next.text =
+      (worst >= kDecides ? "a drop at " : "no single drop decides; the most telling is at ") +
+      detail + decisive_tests(leading);
   return next;
 }
 

@@ -71,10 +71,9 @@ std::vector<Pattern> foreign_patterns(const std::vector<double>& x,
          periods += finest) {
       Eigen::MatrixXd columns(n, 3);
       for (long i = 0; i < n; ++i) {
-        const double phase = 2.0 * kPi * periods *
-                             (coordinate(x[static_cast<std::size_t>(i)]) -
-                              coordinate(distinct.front())) /
-                             range;
+        const double phase =
+            2.0 * kPi * periods *
+            (coordinate(x[static_cast<std::size_t>(i)]) - coordinate(distinct.front())) / range;
         columns.row(i) << 1.0, std::sin(phase), std::cos(phase);
       }
       const Fit f = fit(columns, y, s);

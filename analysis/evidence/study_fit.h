@@ -12,7 +12,7 @@
 namespace powderlink::analysis {
 
 struct StudyFit {
-  Study study;  ///< with the fitted values in its effects
+  Study study;                               ///< with the fitted values in its effects
   std::vector<double> adhesive_energy_J_m2;  ///< per row
   std::string origin;  ///< "of the measurement file" | "fixed in the study" | "fitted ..."
   bool fitted = false;

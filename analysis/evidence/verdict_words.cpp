@@ -49,15 +49,16 @@ std::vector<std::string> verdict_words(const Study& study, const Observations& o
   const Noise& noise = observations.noise;
   std::vector<std::string> effects;
   for (const EffectChoice& e : study.effects) effects.push_back(e.name);
-  const std::string model =
-      effects.empty() ? "JKR with one Gamma and an instant stop"
-                      : fmt::format("the model with {}", fmt::join(effects, ", "));
+  const std::string model = effects.empty()
+                                ? "JKR with one Gamma and an instant stop"
+                                : fmt::format("the model with {}", fmt::join(effects, ", "));
   std::vector<std::string> words;
   words.push_back("judged with " + noise.text());
   if (d.verdict == Verdict::no_missing_effect) {
-    words.push_back(fmt::format("{} explains the measurements ({}); no effect is missing that they "
-                                "could show. {}",
-                                model, quality(none, noise), parameter_text(none)));
+    words.push_back(
+        fmt::format("{} explains the measurements ({}); no effect is missing that they "
+                    "could show. {}",
+                    model, quality(none, noise), parameter_text(none)));
     if (!none.plausible) {
       words.push_back("but: " + none.why +
                       ". The shape fits, the strength does not: an effect that keeps the shape, or "
@@ -65,8 +66,8 @@ std::vector<std::string> verdict_words(const Study& study, const Observations& o
     }
     return words;
   }
-  words.push_back(fmt::format("{} fails ({}): {}", model, quality(none, noise),
-                              failing_tests(none)));
+  words.push_back(
+      fmt::format("{} fails ({}): {}", model, quality(none, noise), failing_tests(none)));
   const auto describe = [&](const std::string& name) {
     const Candidate& c = d.get(name);
     words.push_back(fmt::format("{}: {}, delta BIC {:+.1f}, {}; {}", name, quality(c, noise),
@@ -79,16 +80,16 @@ std::vector<std::string> verdict_words(const Study& study, const Observations& o
       describe(d.best);
       break;
     case Verdict::ambiguous:
-      words.push_back(
-          d.indistinguishable.size() > 1
-              ? fmt::format("these measurements do not decide between {}",
-                            fmt::join(d.indistinguishable, ", "))
-              : d.best + " would explain them, but this is not certain");
+      words.push_back(d.indistinguishable.size() > 1
+                          ? fmt::format("these measurements do not decide between {}",
+                                        fmt::join(d.indistinguishable, ", "))
+                          : d.best + " would explain them, but this is not certain");
       for (const std::string& name : d.indistinguishable) describe(name);
       if (d.best != d.indistinguishable.front()) {
-        words.push_back(fmt::format("{} fits best, with values that are not possible; {} is the "
-                                    "leading plausible explanation",
-                                    d.indistinguishable.front(), d.best));
+        words.push_back(
+            fmt::format("{} fits best, with values that are not possible; {} is the "
+                        "leading plausible explanation",
+                        d.indistinguishable.front(), d.best));
       }
       if (d.get(d.best).at_bound())
         words.push_back("a fitted parameter stopped at its bound: widen the bounds or distrust it");
@@ -100,8 +101,9 @@ std::vector<std::string> verdict_words(const Study& study, const Observations& o
       break;
   }
   if (pattern != nullptr) {
-    const double bic = score(observations, pattern->chi2) +
-                       pattern->parameters * std::log(static_cast<double>(observations.list.size()));
+    const double bic =
+        score(observations, pattern->chi2) +
+        pattern->parameters * std::log(static_cast<double>(observations.list.size()));
     const bool rival = d.best.empty() || bic < d.get(d.best).bic;
     if (rival && bic < none.bic - kClears) {
       words.push_back("what an effect would have to explain: " + pattern->text +
