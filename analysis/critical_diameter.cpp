@@ -80,11 +80,12 @@ CriticalDiameter critical_diameter(const ReducedModel& model, double impact_velo
   return result;
 }
 
-CriticalDiameter quick_critical_diameter(const ReducedModel& model, double impact_velocity) {
+CriticalDiameter quick_critical_diameter(const ReducedModel& model, double impact_velocity,
+                                         bool estimates) {
   constexpr double integrated_tolerance = 3e-4;
-  constexpr double root_tolerance = 1e-9;  // of ln d
+  constexpr double root_tolerance = 1e-8;  // of ln d
   constexpr boost::uintmax_t most_turns = 60;
-  const CriticalSpeed critical(model);
+  const CriticalSpeed critical(model, estimates);
   if (!critical.available()) return critical_diameter(model, impact_velocity, integrated_tolerance);
 
   const double speed_change = model.setup().stop.speed_change_m_s(impact_velocity);

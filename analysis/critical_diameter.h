@@ -36,7 +36,9 @@ CriticalDiameter critical_diameter(const ReducedModel& model, double impact_velo
 
 /// As critical_diameter(), but without following the particle's motion where critical_speed.h knows
 /// better: what fits call thousands of times. The bracket then has no width.
-CriticalDiameter quick_critical_diameter(const ReducedModel& model, double impact_velocity_m_s);
+/// \param estimates  of critical_speed.h, for sums of effects
+CriticalDiameter quick_critical_diameter(const ReducedModel& model, double impact_velocity_m_s,
+                                         bool estimates = false);
 
 /// Closed form of the limit that the stop is in, for smooth surfaces without other effects.
 struct TheoryDiameter {

@@ -25,6 +25,7 @@ int run(int argc, char** argv) {
   analysis::add_kat_run_command(*kat);
   analysis::add_compare_command(app);
   analysis::add_diagnose_command(app);
+  analysis::add_add_command(app);
   analysis::add_effects_command(app);
   analysis::add_flow_command(app);
   analysis::add_report_command(app);

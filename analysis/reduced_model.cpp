@@ -58,10 +58,6 @@ struct ReducedModel::Sphere {
                              (8.0 * s3 / radius_m - 6.0 * c) / (4.0 * s3 / radius_m - c);
     return 2.0 * JkrLaw::kPi * std::sqrt(mass_kg / stiffness);
   }
-  double root_at_tear_off() const {
-    return law.next_root(law.tear_off_overlap_m(radius_m), radius_m,
-                         std::sqrt(law.equilibrium_contact_radius_m(radius_m)));
-  }
 };
 
 ReducedModel::ReducedModel(KatSetup setup) : setup_(std::move(setup)) {
@@ -101,8 +97,8 @@ double ReducedModel::steps_per_period(double period_s) const {
 }
 
 /// sqrt(a) where contact, gravity and gap forces balance; 0 when nothing holds the particle.
-double ReducedModel::equilibrium_root(const Sphere& s) const {
-  const double weight = s.mass_kg * setup_.gravity_m_s2;
+double ReducedModel::equilibrium_root(const Sphere& s, double gravity_m_s2) const {
+  const double weight = s.mass_kg * gravity_m_s2;
   const auto away = [&](double root) {
     return s.law.force_N(root, s.radius_m) + weight +
            gap_.force_N(-s.law.overlap_m(root, s.radius_m), s.radius_m);
@@ -117,8 +113,9 @@ double ReducedModel::equilibrium_root(const Sphere& s) const {
     high *= 1.5;
   }
   constexpr int bits = 45;
-  const auto bracket =
-      boost::math::tools::bisect(away, low, high, boost::math::tools::eps_tolerance<double>(bits));
+  boost::uintmax_t turns = 100;
+  const auto bracket = boost::math::tools::toms748_solve(
+      away, low, high, boost::math::tools::eps_tolerance<double>(bits), turns);
   return 0.5 * (bracket.first + bracket.second);
 }
 
@@ -132,7 +129,7 @@ DropOutcome ReducedModel::run(const Sphere& s, double impact_velocity) const {
   const bool rate_dependent = contact_.rate_dependent();
   DropOutcome out;
 
-  double root = equilibrium_root(s);
+  double root = equilibrium_root(s, setup_.gravity_m_s2);
   if (root == 0.0) {  // its weight alone takes it off
     out.detached = true;
     out.speed_m_s = stop.speed_change_m_s(impact_velocity);
@@ -164,7 +161,7 @@ DropOutcome ReducedModel::run(const Sphere& s, double impact_velocity) const {
     return force;
   };
   const double w_tear = -law.tear_off_overlap_m(radius);
-  const double root_tear = s.root_at_tear_off();
+  const double root_tear = law.tear_off_root(radius);
   double barrier = law.energy_J(root_tear, radius);
   if constexpr (kGapForces) barrier += gap_.energy_J(w_tear, radius);
 
@@ -240,25 +237,26 @@ ReducedModel::Sphere ReducedModel::sphere(double diameter_m) const {
           contact_.law(radius)};
 }
 
-double ReducedModel::contact_period_s(double diameter_m) const {
+ReducedModel::AtRest ReducedModel::at_rest(double diameter_m, double gravity_m_s2) const {
   const Sphere s = sphere(diameter_m);
-  const double root = equilibrium_root(s);
-  return root > 0.0 ? s.period_s(root) : 0.0;
-}
-
-double ReducedModel::escape_speed_m_s(double diameter_m) const {
-  const Sphere s = sphere(diameter_m);
-  const double root = equilibrium_root(s);
-  if (root == 0.0) return 0.0;
-  const double weight = s.mass_kg * setup_.gravity_m_s2;
+  const double root = equilibrium_root(s, gravity_m_s2);
+  AtRest rest;
+  if (root == 0.0) return rest;
+  rest.held = true;
+  rest.period_s = s.period_s(root);
+  const double weight = s.mass_kg * gravity_m_s2;
   const double w = -s.law.overlap_m(root, s.radius_m);
   const double w_tear = -s.law.tear_off_overlap_m(s.radius_m);
+  const auto speed = [&](double work) { return std::sqrt(std::max(0.0, 2.0 * work / s.mass_kg)); };
+  const double contact = s.law.energy_J(s.law.tear_off_root(s.radius_m), s.radius_m) -
+                         s.law.energy_J(root, s.radius_m) - weight * (w_tear - w);
+  rest.contact_speed_m_s = speed(contact);
   // The neck's own energy is lost at tear-off; what pulls across the gap must still be climbed.
-  const double needed = s.law.energy_J(s.root_at_tear_off(), s.radius_m) -
-                        s.law.energy_J(root, s.radius_m) - weight * (w_tear - w) +
-                        gap_.energy_J(w_tear, s.radius_m) - gap_.energy_J(w, s.radius_m) +
-                        gap_.climb_J(w_tear, s.radius_m, weight);
-  return std::sqrt(std::max(0.0, 2.0 * needed / s.mass_kg));
+  rest.escape_speed_m_s =
+      speed(contact + gap_.energy_J(w_tear, s.radius_m) - gap_.energy_J(w, s.radius_m) +
+            gap_.climb_J(w_tear, s.radius_m, weight));
+  rest.gap_force_N = -gap_.force_N(w, s.radius_m);
+  return rest;
 }
 
 DropOutcome ReducedModel::drop(double diameter_m, double impact_velocity) const {

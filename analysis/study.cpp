@@ -18,12 +18,10 @@ namespace powderlink::analysis {
 
 namespace {
 
-constexpr const char* kExperiment = "kat_critical_diameter";
+const std::vector<std::string> kExperiments = {"kat_critical_diameter", "kat_retention"};
 constexpr const char* kPulseEffect = "finite_stop_pulse";
 constexpr int kFewestParticles = 8;  // with fewer a bracket hardly shrinks from run to run
 constexpr int kMostParticles = 100000;
-// The edge of a rate-dependent contact is first order in time: 1 % of d_c at 0.1 Rayleigh times.
-constexpr double kRateDependentTimeStep = 0.02;
 
 toml::table parse(const std::filesystem::path& file) {
   if (!std::filesystem::is_regular_file(file)) {
@@ -219,18 +217,37 @@ KatOptions read_kat(const StrictTable& kat, bool rate_dependent) {
 
 void read_rows(const StrictTable& root, const StrictTable& study_table, const StrictTable& kat,
                Study& study) {
-  const auto csv = study_table.text("measurements");
+  std::vector<std::string> tables;
+  if (study_table.is_list("measurements"))
+    tables = *study_table.texts("measurements");
+  else if (const auto one = study_table.text("measurements"))
+    tables = {*one};
+  const bool csv = !tables.empty();
   const auto velocities = kat.numbers("velocities_m_s");
   if (csv && velocities) {
     throw InvalidInput(kat.place("velocities_m_s"), "a measurement file and velocities",
                        "one of them", "remove velocities_m_s, or the key measurements of [study]");
   }
   if (csv) {
-    const Measurements m = read_measurements(study.file.parent_path() / *csv);
-    study.rows = m.rows;
-    if (!m.unknown_columns.empty()) {
-      study.notes.push_back(fmt::format("{}: columns that are not used: {}", m.table.file,
-                                        fmt::join(m.unknown_columns, ", ")));
+    for (const std::string& table : tables) {
+      study.measurements.push_back(study.file.parent_path() / table);
+      const Measurements m = read_measurements(study.measurements.back());
+      study.rows.insert(study.rows.end(), m.rows.begin(), m.rows.end());
+      if (!m.unknown_columns.empty()) {
+        study.notes.push_back(fmt::format("{}: columns that are not used: {}", m.table.file,
+                                          fmt::join(m.unknown_columns, ", ")));
+      }
+    }
+    // A column that only some rows have is no column of the study.
+    for (KatRow& row : study.rows) {
+      if (tables.size() > 1) row.other.clear();
+      if (row.adhesive_energy_J_m2.has_value() !=
+              study.rows.front().adhesive_energy_J_m2.has_value() ||
+          row.contact_time_us.has_value() != study.rows.front().contact_time_us.has_value()) {
+        throw InvalidInput(study_table.place("measurements"),
+                           "tables of which some have contact_time_us or adhesive_energy_J_m2",
+                           "these columns in all tables or in none", "add or remove the columns");
+      }
     }
     return;
   }
@@ -256,10 +273,11 @@ Study read_study(const std::filesystem::path& file) {
   const StrictTable about = root.table("study", {"name", "experiment", "measurements"});
   study.name = about.text("name").value_or(file.stem().string());
   study.experiment = about.text("experiment").value_or("");
-  if (study.experiment != kExperiment) {
+  if (std::find(kExperiments.begin(), kExperiments.end(), study.experiment) == kExperiments.end()) {
     throw InvalidInput(about.place("experiment"),
                        study.experiment.empty() ? "nothing" : "'" + study.experiment + "'",
-                       std::string("\"") + kExperiment + "\"", "correct the experiment");
+                       fmt::format("\"{}\"", fmt::join(kExperiments, "\" or \"")),
+                       "correct the experiment");
   }
   const std::vector<std::string> material = {"material", "density_kg_m3", "youngs_modulus_Pa",
                                              "poissons_ratio"};

@@ -2,8 +2,8 @@
 /// \file study.h
 /// A study: who sticks to what, which effects are switched on, and the drops to explain. TOML:
 ///
-///   [study]      name, experiment = "kat_critical_diameter", measurements = "file.csv"
-///                (relative to the study file)
+///   [study]      name, experiment = "kat_critical_diameter" or "kat_retention",
+///                measurements = "file.csv" or a list of them (relative to the study file)
 ///   [particle]   material = NAME, or density_kg_m3, youngs_modulus_Pa, poissons_ratio
 ///   [substrate]  the same
 ///   [model]      effects = [NAME...]                    names of `powderlink effects`
@@ -53,6 +53,10 @@ struct KatOptions {
   std::optional<std::pair<double, double>> diameter_range_um{};
 };
 
+/// Default of time_step_rayleigh with a rate-dependent effect, whose edge is first order in time: d_c
+/// would be 1 % off at 0.1.
+inline constexpr double kRateDependentTimeStep = 0.02;
+
 struct EnergyRange {
   double lower_J_m2 = 0.0;
   double upper_J_m2 = 0.0;
@@ -68,6 +72,7 @@ struct Study {
   std::vector<EffectChoice> effects;
   EnergyRange adhesive_energy;
   KatOptions kat;
+  std::vector<std::filesystem::path> measurements;  ///< files of the rows
   double model_discrepancy = 0.015;  ///< of a prediction's form, relative, beside the noise
   std::vector<KatRow> rows;
   std::vector<std::string> notes;  ///< for stderr: kept columns, unusual values

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/universal_tables.h"
 
+#include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <functional>
-#include <map>
+#include <limits>
 #include <memory>
 #include <mutex>
 #include <utility>
+#include <vector>
 
 #include "analysis/reduced_model.h"
 #include "models/effects/rate_dependent_adhesion.h"
@@ -20,8 +23,8 @@ namespace {
 
 // Any sphere will do: the factors do not depend on it.
 constexpr double kDiameter_m = 50e-6;
-constexpr double kTolerance = 2e-4;  // of the speed at a node
-constexpr double kWidest = 1e4;      // brackets are not widened beyond this factor
+constexpr double kTolerance = 3e-4;  // of the speed at a node
+constexpr double kWidest = 1e12;     // brackets are not widened beyond this factor
 
 KatSetup reference() {
   KatSetup s;
@@ -32,9 +35,10 @@ KatSetup reference() {
 }
 
 /// The least impact speed that takes the sphere off, over its escape speed.
-double factor_of(const KatSetup& setup, double guess) {
+double factor_of(const KatSetup& setup) {
+  constexpr double guess = 1.05;
   const ReducedModel model(setup);
-  const double escape = model.escape_speed_m_s(kDiameter_m);
+  const double escape = model.at_rest(kDiameter_m).escape_speed_m_s;
   const auto leaves = [&](double factor) { return model.detaches(kDiameter_m, factor * escape); };
   double low = guess;
   double high = guess;
@@ -63,12 +67,16 @@ double factor_of(const KatSetup& setup, double guess) {
 /// (Catmull-Rom), so that its slope is continuous for the fits.
 class LazyGrid {
  public:
-  using Node = std::function<double(double x, double y, double guess)>;
+  using Node = std::function<double(double x, double y)>;
   LazyGrid(double step_x, double step_y, Node node)
-      : step_x_(step_x), step_y_(step_y), node_(std::move(node)) {}
+      : step_x_(step_x),
+        step_y_(step_y),
+        node_(std::move(node)),
+        nodes_(static_cast<std::size_t>(4 * kHalf * kHalf)) {
+    for (auto& node_value : nodes_) node_value = std::numeric_limits<double>::quiet_NaN();
+  }
 
   double at(double x, double y) {
-    const std::lock_guard<std::mutex> lock(mutex_);
     const Place px = place(x / step_x_);
     const Place py = place(y / step_y_);
     double sum = 0.0;
@@ -93,21 +101,30 @@ class LazyGrid {
             {0.5 * t * (-1.0 + t * (2.0 - t)), 1.0 + 0.5 * t * t * (-5.0 + 3.0 * t),
              0.5 * t * (1.0 + t * (4.0 - 3.0 * t)), 0.5 * t * t * (t - 1.0)}};
   }
+  static constexpr int kHalf = 64;  // nodes on either side of zero; beyond, the edge's value holds
+
+  std::atomic<double>& slot(int i, int j) {
+    const auto row = static_cast<std::size_t>(std::clamp(i, -kHalf, kHalf - 1) + kHalf);
+    const auto column = static_cast<std::size_t>(std::clamp(j, -kHalf, kHalf - 1) + kHalf);
+    return nodes_[row * 2 * kHalf + column];
+  }
   double value(int i, int j) {
-    const auto found = nodes_.find({i, j});
-    if (found != nodes_.end()) return found->second;
-    double guess = 1.0;
-    for (const auto& near : {std::pair{i - 1, j}, {i + 1, j}, {i, j - 1}, {i, j + 1}}) {
-      const auto known = nodes_.find(near);
-      if (known != nodes_.end()) guess = std::exp(known->second);
+    std::atomic<double>& node = slot(i, j);
+    const double known = node.load(std::memory_order_relaxed);
+    if (!std::isnan(known)) return known;
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (std::isnan(node.load(std::memory_order_relaxed))) {
+      i = std::clamp(i, -kHalf, kHalf - 1);
+      j = std::clamp(j, -kHalf, kHalf - 1);
+      node.store(std::log(node_(i * step_x_, j * step_y_)), std::memory_order_relaxed);
     }
-    return nodes_[{i, j}] = std::log(node_(i * step_x_, j * step_y_, guess));
+    return node.load(std::memory_order_relaxed);
   }
 
   double step_x_, step_y_;
   Node node_;
   std::mutex mutex_;
-  std::map<std::pair<int, int>, double> nodes_;
+  std::vector<std::atomic<double>> nodes_;
 };
 
 StopPulse pulse(StopPulse::Shape shape, double tau_s) {
@@ -123,7 +140,7 @@ double slowness_factor(StopPulse::Shape shape, double periods) {
   static constexpr double step = 0.15;  // of the logarithm
   const KatSetup setup = reference();
   static const ReducedModel model(setup);
-  static const double period = model.contact_period_s(kDiameter_m);
+  static const double period = model.at_rest(kDiameter_m).period_s;
   if (periods < instant_below) return 1.0;
   if (periods > slow_above) {
     const double radius = 0.5 * kDiameter_m;
@@ -131,13 +148,14 @@ double slowness_factor(StopPulse::Shape shape, double periods) {
     const double mass =
         4.0 / 3.0 * models::JkrLaw::kPi * radius * radius * radius * setup.particle.density_kg_m3;
     const double peak = pulse(shape, periods * period).peak_deceleration_m_s2(1.0);
-    return law.pull_off_force_N(radius) / (mass * peak) / model.escape_speed_m_s(kDiameter_m);
+    return law.pull_off_force_N(radius) / (mass * peak) /
+           model.at_rest(kDiameter_m).escape_speed_m_s;
   }
   static const auto grid = [](StopPulse::Shape of) {
-    return std::make_unique<LazyGrid>(step, 1.0, [of](double x, double, double guess) {
+    return std::make_unique<LazyGrid>(step, 1.0, [of](double x, double) {
       KatSetup s = reference();
       s.stop = pulse(of, std::exp(x) * period);
-      return factor_of(s, guess);
+      return factor_of(s);
     });
   };
   static const auto half_sine = grid(StopPulse::Shape::half_sine);
@@ -148,15 +166,15 @@ double slowness_factor(StopPulse::Shape shape, double periods) {
 double moving_edge_factor(double reduced_speed, double exponent) {
   constexpr double step_speed = 0.7;  // of the logarithms
   constexpr double step_exponent = 0.35;
-  static LazyGrid grid(step_speed, step_exponent, [](double x, double y, double guess) {
+  static LazyGrid grid(step_speed, step_exponent, [](double x, double y) {
     KatSetup s = reference();
     static const ReducedModel model(s);
     static const double radius = 0.5 * kDiameter_m;
     static const double unit = model.law(radius).equilibrium_contact_radius_m(radius) /
-                               model.contact_period_s(kDiameter_m);
+                               model.at_rest(kDiameter_m).period_s;
     const double exponent_of_node = std::exp(y);
     s.effects = {models::RateDependentAdhesion::unbounded(std::exp(x) * unit, exponent_of_node)};
-    return factor_of(s, guess);
+    return factor_of(s);
   });
   return grid.at(std::log(reduced_speed), std::log(exponent));
 }

@@ -34,14 +34,25 @@ std::string bounds_text(const ProfileInterval& i) {
 }
 
 void print(const Comparison& c, const Study& study, const Observations& observations) {
-  TextTable points({"v [m/s]", "measured [um]", "sigma", "model [um]", "model/measured - 1",
-                    "residual [sigma]"});
+  TextTable points(
+      {"v [m/s]", "d [um]", "measured", "sigma", "model", "error", "residual [sigma]", "of"});
+  points.flush_left(7);
   for (std::size_t i = 0; i < c.model.size(); ++i) {
     const Observation& o = observations.list[i];
-    points.add({fmt::format("{:g}", o.row.impact_velocity_m_s), fmt::format("{:g}", o.measured),
-                fmt::format("{:.1f} %", 100.0 * o.sigma), fmt::format("{:.2f}", c.model[i]),
-                fmt::format("{:+.1f} %", 100.0 * (c.model[i] / o.measured - 1.0)),
-                fmt::format("{:+.2f}", c.residuals[i])});
+    const bool diameter = o.row.kind() == KatRow::Kind::critical_diameter;
+    const bool share = o.row.kind() == KatRow::Kind::retained_share;
+    const double error = o.error(c.model[i]);
+    points.add(
+        {fmt::format("{:g}", o.row.impact_velocity_m_s),
+         o.row.diameter_um ? fmt::format("{:g}", *o.row.diameter_um) : "",
+         fmt::format("{:.4g}", o.measured),
+         diameter ? fmt::format("{:.1f} %", 100.0 * o.sigma) : fmt::format("{:.2g}", o.sigma),
+         fmt::format("{:.4g}", c.model[i]),
+         diameter ? fmt::format("{:+.1f} %", 100.0 * error) : fmt::format("{:+.3g}", error),
+         fmt::format("{:+.2f}", c.residuals[i]),
+         diameter ? "critical diameter [um]"
+         : share  ? "retained share"
+                  : "residual speed [m/s]"});
   }
   TextTable parameters({"parameter", "value", "unit", "68 % interval", "plausible"});
   parameters.flush_left(2);

@@ -35,6 +35,12 @@ void run(const Options& o) {
   const Study study = read_study(o.study);
   for (const std::string& note : study.notes) fmt::print(stderr, "powderlink: {}\n", note);
 
+  for (const KatRow& row : study.rows) {
+    if (row.kind() == KatRow::Kind::critical_diameter) continue;
+    throw InvalidInput(o.study, "rows of retained shares or residual speeds",
+                       "critical diameters, or velocities_m_s",
+                       "use 'powderlink compare' and 'powderlink diagnose' for it");
+  }
   KatRunOptions run;
   run.runner = {find_liggghts(), o.wall_limit_s};
   run.out = o.out.empty() ? fs::path(o.study).parent_path() / "results" : fs::path(o.out);

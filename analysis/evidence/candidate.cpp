@@ -21,13 +21,24 @@ constexpr const char* kEnergy = "adhesive_energy_J_m2";
 constexpr double kScale = 30.0;        // upper over lower bound of a parameter with a scale
 constexpr double kNoiseFreedom = 2.0;  // nu of an assumed noise
 constexpr std::size_t kStarts = 3;
+constexpr int kEnergies = 25;  // values of the adhesive energy that are tried
 
 /// Where a fitted value goes.
 struct Slot {
   int effect = -1;  ///< position in the hypothesis; -1 is the adhesive energy
   std::size_t parameter = 0;
   bool of_added = false;
+  double plausible_lower = 0.0, plausible_upper = 0.0;
 };
+
+/// Decades that a value is outside its plausible range.
+double decades_off(double value, const Slot& slot) {
+  if (value > slot.plausible_upper && slot.plausible_upper > 0.0)
+    return std::log10(value / slot.plausible_upper);
+  if (value < slot.plausible_lower)
+    return std::log10(slot.plausible_lower / std::max(value, 1e-300));
+  return 0.0;
+}
 
 struct Setting {
   Hypothesis hypothesis;
@@ -60,7 +71,12 @@ void define_residuals(Setting& s, const Study& study, const Observations& observ
     std::vector<double> r;
     r.reserve(observations.list.size());
     for (const Observation& o : observations.list)
-      r.push_back(residual(o, predicted_diameter_um(study, h, o.row)));
+      r.push_back(residual(o, predicted(study, h, o.row)));
+    return r;
+  };
+  s.problem.prior = [slots = s.slots](const std::vector<double>& values) {
+    std::vector<double> r;
+    for (std::size_t j = 0; j < slots.size(); ++j) r.push_back(decades_off(values[j], slots[j]));
     return r;
   };
 }
@@ -69,20 +85,22 @@ Setting make_setting(const Study& study, const Observations& observations,
                      const std::vector<std::string>& added) {
   Setting s;
   s.hypothesis.effects = study.effects;
+  s.hypothesis.estimated = added.size() > 1;
   const EnergyRange& energy = study.adhesive_energy;
   s.hypothesis.adhesive_energy_J_m2 = std::sqrt(energy.lower_J_m2 * energy.upper_J_m2);
   const bool of_rows = study.rows.front().adhesive_energy_J_m2.has_value();
   if (!of_rows && !energy.fixed()) {
-    add_slot(s, {}, kEnergy, energy.lower_J_m2, energy.upper_J_m2,
-             s.hypothesis.adhesive_energy_J_m2);
+    add_slot(s, {-1, 0, false, 0.0, kPlausibleEnergy_J_m2}, kEnergy, energy.lower_J_m2,
+             energy.upper_J_m2, s.hypothesis.adhesive_energy_J_m2);
   }
   for (std::size_t e = 0; e < study.effects.size(); ++e) {
     const auto& info = *models::find_effect(study.effects[e].name).info;
     for (const FreeRange& range : study.effects[e].free) {
       if (given_by_rows(study, study.effects[e].name, range.parameter)) continue;
-      add_slot(s, {static_cast<int>(e), range.parameter, false},
-               info.parameters[range.parameter].name, range.lower, range.upper,
-               study.effects[e].parameters[range.parameter]);
+      const models::EffectParameter& p = info.parameters[range.parameter];
+      add_slot(s,
+               {static_cast<int>(e), range.parameter, false, p.plausible_lower, p.plausible_upper},
+               p.name, range.lower, range.upper, study.effects[e].parameters[range.parameter]);
     }
   }
   for (const std::string& name : added) {
@@ -92,8 +110,10 @@ Setting make_setting(const Study& study, const Observations& observations,
       const models::EffectParameter& p = info.parameters[i];
       choice.parameters.push_back(p.typical);
       if (given_by_rows(study, name, i)) continue;
-      add_slot(s, {static_cast<int>(s.hypothesis.effects.size()), i, true}, p.name, p.lower,
-               p.upper, p.typical);
+      add_slot(s,
+               {static_cast<int>(s.hypothesis.effects.size()), i, true, p.plausible_lower,
+                p.plausible_upper},
+               p.name, p.lower, p.upper, p.typical);
     }
     s.hypothesis.effects.push_back(choice);
   }
@@ -149,10 +169,16 @@ std::vector<double> grid_of(const FitParameter& p, double from, double to, int p
   return grid;
 }
 
+bool diameters_only(const Study& study) {
+  return std::all_of(study.rows.begin(), study.rows.end(), [](const KatRow& row) {
+    return row.kind() == KatRow::Kind::critical_diameter;
+  });
+}
+
 bool cheap(const Study& study, const Setting& s) {
   for (const KatRow& row : study.rows) {
     const ReducedModel model(row_setup(study, s.hypothesis.effects, row, 1.0));
-    if (!CriticalSpeed(model).available()) return false;
+    if (!CriticalSpeed(model, s.hypothesis.estimated).available()) return false;
   }
   return true;
 }
@@ -164,11 +190,15 @@ std::vector<std::vector<double>> searched_starts(const Study& study, const Setti
   const int turns = fast ? 8 : 4;
   std::size_t scanned = 0;
   for (const Slot& slot : s.slots) scanned += slot.effect >= 0 ? 1 : 0;
-  const int points = scanned <= 1 ? (fast ? 31 : 9) : (fast ? 7 : 4);
+  const bool few = !fast || !diameters_only(study);
+  const int points = scanned <= 1 ? (few ? 9 : 31) : (few ? 4 : 7);
   std::vector<std::vector<double>> grid = {{}};
   for (std::size_t j = 0; j < s.slots.size(); ++j) {
     const FitParameter& p = s.problem.parameters[j];
     std::vector<double> values = {p.start};
+    // Shares and speeds say nothing about Gamma while every grain stays or every grain leaves.
+    if (s.slots[j].effect < 0 && !diameters_only(study))
+      values = grid_of(p, p.lower, p.upper, kEnergies);
     if (s.slots[j].effect >= 0) values = grid_of(p, p.lower, p.upper, p.logarithmic ? points : 2);
     std::vector<std::vector<double>> next;
     for (const auto& head : grid) {
@@ -247,8 +277,9 @@ void hold_what_is_not_needed(Setting& s, FitSolution& solution, const Study& stu
         less.slots.empty()
             ? least_squares(less.problem, start)
             : least_squares(less.problem, suit_energy(less, observations, start, 8).first);
-    if (score(observations, held.chi2) - score(observations, solution.chi2) > per_parameter)
-      continue;
+    const double worse = score(observations, held.chi2) + held.prior -
+                         score(observations, solution.chi2) - solution.prior;
+    if (worse > per_parameter) continue;
     s = std::move(less);
     solution = std::move(held);
   }
@@ -345,6 +376,12 @@ std::vector<TrendTest> residual_tests(const Study& study, const Observations& o,
   tests.push_back({v, "curve", curve_p_value(velocity, residuals, o.noise.known())});
   tests.push_back({v, "rank", rank_p_value(velocity, residuals)});
   tests.push_back({v, "runs", runs_p_value(velocity, residuals)});
+  if (study.rows.front().diameter_um) {
+    std::vector<double> diameter;
+    for (const KatRow& row : study.rows) diameter.push_back(row.diameter_um.value_or(0.0));
+    if (*std::min_element(diameter.begin(), diameter.end()) > 0.0)
+      tests.push_back({"diameter_um", "curve", curve_p_value(diameter, residuals, true)});
+  }
   if (contact_time.size() == velocity.size())
     tests.push_back({"contact_time_us", "rank", rank_p_value(contact_time, residuals)});
   for (const auto& [name, first] : study.rows.front().other) {
@@ -359,9 +396,9 @@ std::vector<TrendTest> residual_tests(const Study& study, const Observations& o,
 
 bool residuals_fail(const std::vector<TrendTest>& tests, const std::vector<double>& residuals,
                     const Noise& noise) {
-  constexpr double of_assumed = 3.0;
   const double mean_square = chi2_of(residuals) / static_cast<double>(residuals.size());
-  return least_p_value(tests) < kAlarm || (!noise.known() && mean_square > of_assumed * of_assumed);
+  return least_p_value(tests) < kAlarm ||
+         (!noise.known() && mean_square > kRmsOverAssumed * kRmsOverAssumed);
 }
 
 double Candidate::chi2_per_dof() const {
@@ -404,13 +441,14 @@ Candidate fit(const Study& study, const Observations& observations, Setting s,
   const std::vector<double> loo = leave_one_out(c.solution);
   for (std::size_t i = 0; i < n; ++i) {
     const Observation& o = observations.list[i];
-    c.predicted.push_back(predicted_diameter_um(study, c.hypothesis, o.row));
-    relative.push_back(c.predicted.back() / o.measured - 1.0);
+    c.predicted.push_back(predicted(study, c.hypothesis, o.row));
+    relative.push_back(o.error(c.predicted.back()));
     left_out.push_back(loo[i] * o.sigma);
   }
   c.rms_relative_error = rms(relative);
   c.loo_rms_relative_error = rms(left_out);
-  c.bic = score(observations, c.solution.chi2) + c.fitted() * std::log(static_cast<double>(n));
+  c.bic = score(observations, c.solution.chi2) + c.solution.prior +
+          c.fitted() * std::log(static_cast<double>(n));
   c.tests = residual_tests(study, observations, c.solution.residuals, c.fitted());
   judge_plausibility(c);
   return c;
@@ -430,7 +468,7 @@ Candidate fit_candidate(const Study& study, const Observations& observations,
                        "measure at more velocities, or fix parameters");
   }
   Candidate free = fit(study, observations, s, added, near);
-  if (free.plausible || added.empty()) return free;
+  if (free.plausible || added.size() != 1) return free;
   for (std::size_t j = 0; j < s.slots.size(); ++j) {
     FitParameter& p = s.problem.parameters[j];
     const ParameterEstimate& known = *free.find(p.name);

@@ -4,10 +4,11 @@
 ///
 ///   known noise    score = chi^2
 ///   assumed noise  score = (n + nu) ln(1 + chi^2/nu), nu = 2: the noise itself is uncertain
-///   BIC = score + k ln n
+///   BIC = score + prior + k ln n
 ///
-/// Values outside their plausible ranges are taken only if the data insist: if the best fit within
-/// those ranges is worse by more than kApart of BIC.
+/// Known beforehand: a fitted value outside its plausible range costs the square of the decades that it
+/// is off, in the fit and in BIC. And values outside are taken only if the data insist: if the best fit
+/// within the plausible ranges is worse by more than kApart of BIC.
 /// k counts the parameters that the data need: one of an added effect that may as well keep its
 /// typical value (BIC is not higher then) is held there and said to be undetermined.
 /// Symbols: n rows. Source: G. Schwarz, Ann. Statist. 6 (1978) 461.
@@ -62,8 +63,11 @@ struct Candidate {
 /// Chance that the tests of a right model fail by accident, together.
 inline constexpr double kAlarm = 0.02;
 
+/// Residuals over an assumed noise that pass for noise: tables like these have 1 to 10 %.
+inline constexpr double kRmsOverAssumed = 2.0;
+
 /// BIC differences below this do not tell two explanations apart.
-inline constexpr double kApart = 4.0;
+inline constexpr double kApart = 3.0;
 
 /// Parameters of an effect beyond which dry solids do not go; Gamma has no entry in the registry.
 inline constexpr double kPlausibleEnergy_J_m2 = 10.0;
@@ -73,13 +77,14 @@ std::vector<TrendTest> residual_tests(const Study& study, const Observations& ob
                                       const std::vector<double>& residuals, int fitted);
 
 /// The rule by which a model fails: a test fails at kAlarm, or, with an assumed noise, the residuals
-/// are more than three times that noise.
+/// are more than kRmsOverAssumed times that noise.
 bool residuals_fail(const std::vector<TrendTest>& tests, const std::vector<double>& residuals,
                     const Noise& noise);
 
 /// What BIC adds its penalty to.
 double score(const Observations& observations, double chi2);
 
+/// Two added effects are estimated together (Hypothesis::estimated) and tried from `near`.
 /// \param study, observations  must outlive the result
 /// \param near  explanations to start from; empty: the bounds are searched
 Candidate fit_candidate(const Study& study, const Observations& observations,

@@ -24,6 +24,7 @@ std::vector<std::string> doubts(const Comparison& c, const Study& study) {
                                 c.residuals.size(), kFewestRows));
   }
   const bool one_velocity =
+      study.rows.front().kind() == KatRow::Kind::critical_diameter &&
       std::all_of(study.rows.begin(), study.rows.end(), [&](const KatRow& row) {
         return row.impact_velocity_m_s == study.rows.front().impact_velocity_m_s;
       });
@@ -59,7 +60,7 @@ void judge(Comparison& c, const Study& study, const Observations& observations,
   for (std::size_t i = 0; i < n; ++i) {
     c.residuals.push_back(residual(observations.list[i], model[i]));
     chi2 += c.residuals[i] * c.residuals[i];
-    squares += std::pow(model[i] / observations.list[i].measured - 1.0, 2);
+    squares += std::pow(observations.list[i].error(model[i]), 2);
   }
   c.rms_relative_error = std::sqrt(squares / static_cast<double>(n));
   const int degrees = static_cast<int>(n) - c.fit.fitted();

@@ -7,6 +7,11 @@ namespace powderlink::analysis {
 
 std::vector<double> dem_predictions(const Study& study, const Candidate& fit,
                                     const KatRunOptions& options) {
+  for (const KatRow& row : study.rows) {
+    if (row.kind() == KatRow::Kind::critical_diameter) continue;
+    throw InvalidInput("--backend dem", "a study with retained shares or residual speeds",
+                       "critical diameters", "use --backend reduced for it");
+  }
   std::error_code problem;
   std::filesystem::create_directories(options.out, problem);
   if (problem) {

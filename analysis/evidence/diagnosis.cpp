@@ -13,10 +13,9 @@ namespace powderlink::analysis {
 
 namespace {
 
-constexpr double kSameAsBaseline = 1e-6;   // of ln d: the effect cannot be seen
-constexpr double kRmsOverAssumed = 2.0;    // a candidate that suffices, noise assumed
+constexpr double kSameAsBaseline = 1e-6;   // relative: the effect cannot be seen
 constexpr double kPatternLeads = 0.0;      // of BIC
-constexpr std::size_t kPairsFromBest = 4;  // pairs are made of these and all others
+constexpr std::size_t kPairsFromBest = 3;  // pairs are made of these and all others
 
 void require_rows(const Study& study) {
   const std::size_t n = study.rows.size();
@@ -27,7 +26,10 @@ void require_rows(const Study& study) {
         "measure at more velocities; 'powderlink compare' works with fewer rows");
   }
   std::vector<double> v;
-  for (const KatRow& row : study.rows) v.push_back(row.impact_velocity_m_s);
+  for (const KatRow& row : study.rows) {
+    if (row.kind() != KatRow::Kind::critical_diameter) return;  // sizes differ instead
+    v.push_back(row.impact_velocity_m_s);
+  }
   std::sort(v.begin(), v.end());
   constexpr double least_spread = 1.05;
   if (v.back() < least_spread * v.front()) {
@@ -40,7 +42,8 @@ void require_rows(const Study& study) {
 
 bool same_predictions(const Candidate& a, const Candidate& b) {
   for (std::size_t i = 0; i < a.predicted.size(); ++i) {
-    if (std::fabs(std::log(a.predicted[i] / b.predicted[i])) > kSameAsBaseline) return false;
+    const double scale = std::max(std::fabs(a.predicted[i]), std::fabs(b.predicted[i]));
+    if (std::fabs(a.predicted[i] - b.predicted[i]) > kSameAsBaseline * scale) return false;
   }
   return true;
 }
@@ -131,10 +134,12 @@ Diagnosis diagnose(const Study& study, const Observations& observations) {
     std::vector<double> velocity;
     std::vector<double> sigma;
     for (const Observation& o : observations.list) {
+      if (o.row.kind() != KatRow::Kind::critical_diameter) continue;
       velocity.push_back(o.row.impact_velocity_m_s);
       sigma.push_back(o.sigma);
     }
-    d.patterns = foreign_patterns(velocity, baseline.solution.residuals, sigma);
+    if (velocity.size() == observations.list.size())
+      d.patterns = foreign_patterns(velocity, baseline.solution.residuals, sigma);
     for (const models::EffectEntry& entry : models::effect_registry()) {
       const std::string& name = entry.info->name;
       const bool there = std::any_of(study.effects.begin(), study.effects.end(),
@@ -153,13 +158,16 @@ Diagnosis diagnose(const Study& study, const Observations& observations) {
     return c.added.empty() || (c.acts && c.bic < bic_of_none);
   });
 
-  const Candidate& none = d.baseline();
   const Noise& noise = observations.noise;
   std::vector<const Candidate*> leading;
   const Pattern* pattern = best_pattern(d.patterns, observations);
-  if (!residuals_fail(none.tests, none.solution.residuals, noise)) {
+  const bool fails = residuals_fail(d.baseline().tests, d.baseline().solution.residuals, noise);
+  if (!fails) {
     d.verdict = Verdict::no_missing_effect;
-    leading = {&none};
+    // The simplest that suffices is the best, whatever a parameter more may gain by accident.
+    std::stable_partition(d.ranking.begin(), d.ranking.end(),
+                          [](const Candidate& c) { return c.added.empty(); });
+    leading = {&d.baseline()};
     for (const Candidate& c : d.ranking) {
       if (c.acts && !c.added.empty()) {
         leading.push_back(&c);
@@ -167,6 +175,7 @@ Diagnosis diagnose(const Study& study, const Observations& observations) {
       }
     }
   } else {
+    const Candidate& none = d.baseline();
     std::vector<const Candidate*> enough;
     for (const Candidate& c : d.ranking) {
       if (!c.added.empty() && suffices(c, none, noise)) enough.push_back(&c);
@@ -185,8 +194,10 @@ Diagnosis diagnose(const Study& study, const Observations& observations) {
       }
       const bool single = enough.front()->added.size() == 1;
       if (single && !enough.front()->plausible) {
-        const auto plausible = std::find_if(enough.begin(), enough.end(),
-                                            [](const Candidate* c) { return c->plausible; });
+        const double within = enough.front()->bic + kClears;
+        const auto plausible = std::find_if(enough.begin(), enough.end(), [&](const Candidate* c) {
+          return c->plausible && c->bic < within;
+        });
         if (plausible != enough.end() &&
             std::find(leading.begin(), leading.end(), *plausible) == leading.end()) {
           leading.push_back(*plausible);

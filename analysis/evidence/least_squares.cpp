@@ -18,6 +18,9 @@ constexpr double kStep = 0.01;  // of a coordinate: 1 % of a parameter with a sc
 constexpr int kMostIterations = 40;
 constexpr double kTolerance = 1e-9;
 constexpr double kAtBound = 1e-3;  // of the width
+constexpr double kPushes = 0.5;  // of chi^2 per factor e, or per width of a parameter without scale
+
+double scale_of(const FitParameter& p) { return p.logarithmic ? 1.0 : p.width(); }
 
 class Residuals : public ceres::CostFunction {
  public:
@@ -53,7 +56,12 @@ class Residuals : public ceres::CostFunction {
       const FitParameter& p = problem_.parameters[j];
       values[j] = std::clamp(p.to_value(coordinates[j]), p.lower, p.upper);
     }
-    return problem_.residuals(values);
+    std::vector<double> r = problem_.residuals(values);
+    if (problem_.prior) {
+      const std::vector<double> known = problem_.prior(values);
+      r.insert(r.end(), known.begin(), known.end());
+    }
+    return r;
   }
 
  private:
@@ -89,9 +97,10 @@ FitSolution least_squares(const FitProblem& problem, const std::vector<double>& 
     return s;
   }
   const int rows = static_cast<int>(problem.residuals(start).size());
+  const int all_rows = rows + (problem.prior ? static_cast<int>(problem.prior(start).size()) : 0);
   std::vector<double> at(k);
   ceres::Problem ceres_problem;
-  auto* cost = new Residuals(problem, rows);  // owned by ceres_problem
+  auto* cost = new Residuals(problem, all_rows);  // owned by ceres_problem
   ceres_problem.AddResidualBlock(cost, nullptr, at.data());
   for (std::size_t j = 0; j < k; ++j) {
     const FitParameter& p = problem.parameters[j];
@@ -109,20 +118,27 @@ FitSolution least_squares(const FitProblem& problem, const std::vector<double>& 
   ceres::Solver::Summary summary;
   ceres::Solve(options, &ceres_problem, &summary);
 
-  s.residuals.resize(static_cast<std::size_t>(rows));
+  std::vector<double> all(static_cast<std::size_t>(all_rows));
   Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> jacobian(
-      rows, static_cast<long>(k));
+      all_rows, static_cast<long>(k));
   const double* block = at.data();
   double* jacobian_block = jacobian.data();
-  cost->Evaluate(&block, s.residuals.data(), &jacobian_block);
-  s.jacobian = jacobian;
+  cost->Evaluate(&block, all.data(), &jacobian_block);
+  s.residuals.assign(all.begin(), all.begin() + rows);
+  s.jacobian = jacobian.topRows(rows);
   s.chi2 = sum_of_squares(s.residuals);
+  s.prior = sum_of_squares(all) - s.chi2;
+  const Eigen::VectorXd slope =
+      2.0 * s.jacobian.transpose() *
+      Eigen::Map<const Eigen::VectorXd>(s.residuals.data(), static_cast<long>(rows));
   for (std::size_t j = 0; j < k; ++j) {
     const FitParameter& p = problem.parameters[j];
     s.values.push_back(std::clamp(p.to_value(at[j]), p.lower, p.upper));
     const double margin = kAtBound * p.width();
-    s.at_bound.push_back(at[j] < p.to_coordinate(p.lower) + margin ||
-                         at[j] > p.to_coordinate(p.upper) - margin);
+    const double push = slope[static_cast<long>(j)];
+    s.at_bound.push_back(
+        (at[j] < p.to_coordinate(p.lower) + margin && push > kPushes / scale_of(p)) ||
+        (at[j] > p.to_coordinate(p.upper) - margin && push < -kPushes / scale_of(p)));
   }
   return s;
 }
@@ -133,7 +149,7 @@ FitSolution least_squares(const FitProblem& problem,
   best.chi2 = std::numeric_limits<double>::infinity();
   for (const std::vector<double>& start : starts) {
     FitSolution s = least_squares(problem, start);
-    if (s.chi2 < best.chi2) best = std::move(s);
+    if (s.chi2 + s.prior < best.chi2 + best.prior) best = std::move(s);
   }
   return best;
 }

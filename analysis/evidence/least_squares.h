@@ -30,14 +30,19 @@ struct FitProblem {
   std::vector<FitParameter> parameters;
   /// One per row; values in the order of the parameters.
   std::function<std::vector<double>(const std::vector<double>& values)> residuals;
+  /// Optional: what is known beforehand, as residuals of its own; minimised along, not in chi2.
+  std::function<std::vector<double>(const std::vector<double>& values)> prior{};
 };
 
 struct FitSolution {
   std::vector<double> values;
   std::vector<double> residuals;
   double chi2 = 0.0;
-  Eigen::MatrixXd jacobian;    ///< of the residuals, in the parameters' coordinates
-  std::vector<bool> at_bound;  ///< per parameter
+  double prior = 0.0;        ///< sum of its squares
+  Eigen::MatrixXd jacobian;  ///< of the residuals, in the parameters' coordinates
+  /// Per parameter: it is at a bound that chi^2 pushes it against. One that merely lies there, because
+  /// the data do not mind, is not meant.
+  std::vector<bool> at_bound;
 };
 
 /// From `start`; with no parameters the residuals alone.

@@ -53,8 +53,13 @@ Hypothesis moved(const Candidate& c, std::size_t fitted, double by) {
 
 double typical_sigma(const Observations& o) {
   double sum = 0.0;
-  for (const Observation& x : o.list) sum += x.sigma / static_cast<double>(o.list.size());
-  return sum;
+  double count = 0.0;
+  for (const Observation& x : o.list) {
+    if (x.row.kind() != KatRow::Kind::critical_diameter) continue;
+    sum += x.sigma;
+    count += 1.0;
+  }
+  return count > 0.0 ? sum / count : kAssumedRelativeNoise;
 }
 
 struct Best {

@@ -43,6 +43,9 @@ class JkrLaw {
     return -0.75 * c_ * std::cbrt(c_ * radius / 4.0);
   }
 
+  /// sqrt(a) there.
+  double tear_off_root(double radius) const { return std::cbrt(c_ * radius / 4.0); }
+
   /// True once the neck is broken. Free of roots: it is called for every live neck in every step.
   bool torn(double overlap, double radius) const {
     const double c2 = c_ * c_;
@@ -63,7 +66,7 @@ class JkrLaw {
     // A neck that was at the tear-off point itself, where Newton's slope vanishes: start from
     // above.
     root = upper_bound(overlap, radius);
-    return newton(overlap, radius, root) ? root : std::cbrt(c_ * radius / 4.0);
+    return newton(overlap, radius, root) ? root : tear_off_root(radius);
   }
 
   /// Normal force [N] from s = sqrt(a); positive pushes apart.
