@@ -8,8 +8,8 @@
 #include <regex>
 #include <sstream>
 
+#include "analysis/file_text.h"
 #include "analysis/kat/child_process.h"
-#include "analysis/read_file.h"
 #include "analysis/write_file.h"
 #include "models/invalid_input.h"
 
@@ -104,10 +104,10 @@ void draw_figure(const fs::path& svg, const std::string& script, const std::stri
                  (scripts / script).string()},
                 drafts.path(), messages, kLimit_s);
   if (outcome.exit_status != 0 || outcome.over_time || !fs::is_regular_file(draft)) {
-    throw InvalidInput("drawing " + svg.filename().string(), read_file(messages),
+    throw InvalidInput("drawing " + svg.filename().string(), file_text(messages),
                        "tables that gnuplot can draw", "look at the table, or " + instead);
   }
-  write_file(svg, mended_svg(read_file(draft)));
+  write_file(svg, mended_svg(file_text(draft)));
 }
 
 }  // namespace powderlink::analysis

@@ -22,6 +22,7 @@ namespace {
 struct Options {
   std::vector<std::string> studies, dem;
   std::string output;
+  bool first_only = false;
 };
 
 void assign(std::vector<std::unique_ptr<StudyResult>>& results, const std::string& file) {
@@ -44,10 +45,14 @@ void run(const Options& o) {
   ReportPage page;
   std::vector<fs::path> inputs;
   for (const std::string& file : o.studies) {
-    page.results.push_back(std::make_unique<StudyResult>(file));
+    page.results.push_back(
+        std::make_unique<StudyResult>(file, page.results.empty() || !o.first_only));
     const StudyResult& r = *page.results.back();
     for (const std::string& note : r.study.notes) fmt::print(stderr, "powderlink: {}\n", note);
     inputs.emplace_back(file);
+    for (const fs::path& table : r.study.measurements) {
+      if (std::find(inputs.begin(), inputs.end(), table) == inputs.end()) inputs.push_back(table);
+    }
   }
   for (const std::string& file : o.dem) {
     assign(page.results, file);
@@ -97,6 +102,9 @@ void add_report_command(CLI::App& app) {
   c->add_option("--dem", o->dem,
                 "JSON of 'compare --backend dem' for one of the studies; may be given for each")
       ->take_all();
+  c->add_flag("--diagnose-first", o->first_only,
+              "diagnose the first study only, compare the others: effects on top of effects that "
+              "need the particle's motion take minutes");
   c->callback([o] { run(*o); });
 }
 

@@ -9,8 +9,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "analysis/file_text.h"
 #include "analysis/kat/child_process.h"
-#include "analysis/read_file.h"
 #include "analysis/write_file.h"
 
 namespace powderlink::analysis {
@@ -37,7 +37,7 @@ std::string program_state(const fs::path& program) {
 DropResult parse_results(const fs::path& file) {
   DropResult r;
   try {
-    const auto j = nlohmann::json::parse(read_file(file));
+    const auto j = nlohmann::json::parse(file_text(file));
     const auto value = [&](const char* key) {
       return j.at(key).is_null() ? 0.0 : j.at(key).get<double>();
     };
@@ -56,7 +56,7 @@ DropResult parse_results(const fs::path& file) {
 
 /// The line that LIGGGHTS ended with, for the message.
 std::string last_error(const fs::path& screen) {
-  std::istringstream text(read_file(screen));
+  std::istringstream text(file_text(screen));
   std::string last, error;
   for (std::string line; std::getline(text, line);) {
     if (line.find("ERROR") != std::string::npos && error.empty()) error = line;
@@ -84,7 +84,7 @@ DropResult run_drop(const DropRunner& runner, const DropScript& drop, const fs::
   const std::string script = drop_script(drop);
   const std::string hash = sha1(script + program_state(runner.program));
   const fs::path results = folder / kResultsFile;
-  if (fs::is_regular_file(results) && read_file(folder / kFinished) == hash) {
+  if (fs::is_regular_file(results) && file_text(folder / kFinished) == hash) {
     DropResult r = parse_results(results);
     r.reused = true;
     return r;

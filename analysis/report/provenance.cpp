@@ -10,8 +10,8 @@
 #include <ctime>
 
 #include "analysis/build_commit.h"
+#include "analysis/file_text.h"
 #include "analysis/kat/child_process.h"
-#include "analysis/read_file.h"
 
 namespace powderlink::analysis {
 
@@ -29,7 +29,7 @@ std::string package_version(const std::string& package) {
   try {
     const ChildOutcome outcome = run_child({"dpkg-query", "-W", "-f", "${Version}", package},
                                            fs::temp_directory_path(), answer, kLimit_s);
-    if (outcome.exit_status == 0 && !outcome.over_time) text = read_file(answer);
+    if (outcome.exit_status == 0 && !outcome.over_time) text = file_text(answer);
   } catch (const std::exception&) {  // no dpkg: another system
     text.clear();
   }
@@ -39,7 +39,7 @@ std::string package_version(const std::string& package) {
 }
 
 std::string command_line() {
-  std::string line = read_file("/proc/self/cmdline");
+  std::string line = file_text("/proc/self/cmdline");
   while (!line.empty() && line.back() == '\0') line.pop_back();
   std::replace(line.begin(), line.end(), '\0', ' ');
   return line;
@@ -60,11 +60,11 @@ Facts provenance(const std::string& version, const std::vector<fs::path>& inputs
                  {"command", command_line()},
                  {"powderlink", version},
                  {"commit of the build", POWDERLINK_COMMIT},
-                 {"program, SHA-1", sha1(read_file("/proc/self/exe"))}};
+                 {"program, SHA-1", sha1(file_text("/proc/self/exe"))}};
   for (const char* package : {"liggghts", "openfoam", "libceres3", "gnuplot-nox"})
     facts.emplace_back(fmt::format("{} (Debian package)", package), package_version(package));
   for (const fs::path& file : inputs)
-    facts.emplace_back("input, SHA-1: " + file.string(), sha1(read_file(file)));
+    facts.emplace_back("input, SHA-1: " + file.string(), sha1(file_text(file)));
   return facts;
 }
 

@@ -11,6 +11,7 @@
 
 #include "analysis/evidence/verdict_words.h"
 #include "analysis/gnuplot.h"
+#include "analysis/report/quantity.h"
 #include "analysis/report/report_words.h"
 #include "analysis/write_file.h"
 
@@ -75,9 +76,12 @@ double dem_residual(const StudyResult& r, std::size_t i) {
 
 std::string row_hover(const StudyResult& r, std::size_t i) {
   const Observation& o = r.observations.list[i];
-  return fmt::format("{:g} m/s: measured {:.4g} ± {:.2g} µm, model {:.4g} µm, {:+.1f} sigma",
-                     o.row.impact_velocity_m_s, o.measured, r.measured_sigma_um(i),
-                     r.comparison.model[i], r.comparison.residuals[i]);
+  const char* unit = quantity_of(o.row.kind()).unit;
+  return fmt::format("{:g} m/s{}: measured {:.4g} ± {:.2g}{}, model {:.4g}{}, {:+.1f} sigma",
+                     o.row.impact_velocity_m_s,
+                     o.row.diameter_um ? fmt::format(", {:g} µm", *o.row.diameter_um) : "",
+                     o.measured, r.measured_sigma(i), unit, r.comparison.model[i], unit,
+                     r.comparison.residuals[i]);
 }
 
 std::string dem_hover(const StudyResult& r, std::size_t i) {
@@ -87,14 +91,26 @@ std::string dem_hover(const StudyResult& r, std::size_t i) {
                      dem_residual(r, i));
 }
 
-std::string rows_table(const StudyResult& r) {
+/// Over velocity for critical diameters, else over the grains' diameter.
+double abscissa(const Observation& o) {
+  return o.row.kind() == KatRow::Kind::critical_diameter ? o.row.impact_velocity_m_s
+                                                         : o.row.diameter_um.value_or(NAN);
+}
+
+/// The rows of one kind; `x` and `y` grow to hold them.
+std::string rows_table(const StudyResult& r, KatRow::Kind kind, Range& x, Range& y) {
   std::string text =
-      "impact_velocity_m_s,measured_um,sigma_um,model_um,residual_sigma,dem_um,"
-      "dem_residual_sigma,hover,dem_hover\n";
+      "impact_velocity_m_s,x,measured,sigma,model,residual_sigma,dem,dem_residual_sigma,hover,"
+      "dem_hover\n";
   for (std::size_t i = 0; i < r.observations.list.size(); ++i) {
     const Observation& o = r.observations.list[i];
-    text += fmt::format("{},{},{},{},{},{},{},{},{}\n", number(o.row.impact_velocity_m_s),
-                        number(o.measured), number(r.measured_sigma_um(i)),
+    if (o.row.kind() != kind) continue;
+    x.add(abscissa(o));
+    for (const double value : {o.measured - r.measured_sigma(i), o.measured + r.measured_sigma(i),
+                               r.comparison.model[i], dem_um(r, i)})
+      y.add(value);
+    text += fmt::format("{},{},{},{},{},{},{},{},{},{}\n", number(o.row.impact_velocity_m_s),
+                        number(abscissa(o)), number(o.measured), number(r.measured_sigma(i)),
                         number(r.comparison.model[i]), number(r.comparison.residuals[i]),
                         number(dem_um(r, i)), number(dem_residual(r, i)),
                         hover_cell(row_hover(r, i)), hover_cell(dem_hover(r, i)));
@@ -102,38 +118,33 @@ std::string rows_table(const StudyResult& r) {
   return text;
 }
 
-void add_rows(const StudyResult& r, Range& x, Range& y) {
-  for (std::size_t i = 0; i < r.observations.list.size(); ++i) {
-    const Observation& o = r.observations.list[i];
-    x.add(o.row.impact_velocity_m_s);
-    y.add(o.measured - r.measured_sigma_um(i));
-    y.add(o.measured + r.measured_sigma_um(i));
-    y.add(r.comparison.model[i]);
-    y.add(dem_um(r, i));
-  }
+bool has(const StudyResult& r, KatRow::Kind kind) {
+  return std::any_of(r.observations.list.begin(), r.observations.list.end(),
+                     [&](const Observation& o) { return o.row.kind() == kind; });
 }
 
-Figure draw_fit(const StudyResult& r, const Sheet& sheet) {
+Figure draw_fit(const StudyResult& r, const Quantity& quantity, const Sheet& sheet) {
   Range x, y;
-  add_rows(r, x, y);
+  const std::string rows = rows_table(r, quantity.kind, x, y);
   std::string curve = "velocity_m_s,diameter_um,low_um,high_um\n";
   for (std::size_t i = 0; i < r.curve.velocity_m_s.size(); ++i) {
     curve += fmt::format("{},{},{},{}\n", number(r.curve.velocity_m_s[i]),
                          number(r.curve.diameter_um[i]), number(r.curve.low_um[i]),
                          number(r.curve.high_um[i]));
   }
-  const bool one_curve = !r.curve.velocity_m_s.empty();
-  std::string caption = fmt::format(
-      "{}: measured critical diameters with their standard deviation, and the model {}",
-      r.study.name,
-      r.effects().empty() ? "without an added effect" : "with " + r.effects());
-  caption += one_curve ? "; band: one standard deviation of the fit." : ".";
+  const bool diameters = quantity.kind == KatRow::Kind::critical_diameter;
+  const bool one_curve = diameters && !r.curve.velocity_m_s.empty();
   return sheet.draw(
       "report_fit.gp",
-      {sheet.table("table", "", rows_table(r)), sheet.table("curve", "_curve", curve),
-       fmt::format("one_curve={}; n_dem={}", one_curve ? 1 : 0, r.dem ? r.dem->model_um.size() : 0),
+      {sheet.table("table", "", rows), sheet.table("curve", "_curve", curve),
+       "y_title=" + gnuplot_string(quantity.title),
+       fmt::format("one_curve={}; diameters={}; n_dem={}", one_curve ? 1 : 0, diameters ? 1 : 0,
+                   r.dem ? r.dem->model_um.size() : 0),
        x.definitions("x"), y.definitions("y")},
-      caption);
+      fmt::format("{}: measured {} with standard deviation, and the model {}{}.", r.study.name,
+                  quantity.name,
+                  r.effects().empty() ? "without an added effect" : "with " + r.effects(),
+                  one_curve ? "; band: one standard deviation of the fit" : ""));
 }
 
 struct Column {
@@ -146,7 +157,9 @@ std::vector<Column> columns(const StudyResult& r) {
       {"impact_velocity_m_s", "impact velocity (m/s)",
        [](const Observation& o) { return o.row.impact_velocity_m_s; }},
       {"critical_diameter_um", "measured critical diameter (µm)",
-       [](const Observation& o) { return o.measured; }},
+       [](const Observation& o) { return o.row.critical_diameter_um.value_or(NAN); }},
+      {"diameter_um", "diameter of the grains (µm)",
+       [](const Observation& o) { return o.row.diameter_um.value_or(NAN); }},
       {"contact_time_us", "measured contact time (µs)",
        [](const Observation& o) { return o.row.contact_time_us.value_or(NAN); }}};
   for (const auto& [name, first] : r.observations.list.front().row.other) {
@@ -213,8 +226,8 @@ Figure draw_ranking(const StudyResult& r, const Sheet& sheet) {
        fmt::format("lowest={:.9g}; widest={:.9g}; most_loo={:.9g}", evidence.low, evidence.high,
                    loo.high)},
       fmt::format("Ranking of the explanations of {}: how much BIC falls when an effect is added, "
-                  "and the error on rows that were left out of the fit. Blue: possible values; "
-                  "orange: values that are not possible; grey: the study's own model and effects "
+                  "and the error on rows that were left out of the fit. Full: possible values; "
+                  "pale: values that are not possible; grey: the study's own model and effects "
                   "that these rows cannot show.",
                   r.study.name));
 }
@@ -222,7 +235,7 @@ Figure draw_ranking(const StudyResult& r, const Sheet& sheet) {
 Figure draw_next(const StudyResult& r, const Sheet& sheet) {
   const NextMeasurement& next = r.diagnosis->next;
   Range x, y;
-  add_rows(r, x, y);
+  const std::string rows = rows_table(r, KatRow::Kind::critical_diameter, x, y);
   std::vector<std::string> names;
   std::string header = "velocity_m_s";
   for (const PredictedCurve& c : next.curves) {
@@ -253,10 +266,11 @@ Figure draw_next(const StudyResult& r, const Sheet& sheet) {
   }
   return sheet.draw(
       "report_next.gp",
-      {sheet.table("table", "_rows", rows_table(r)), sheet.table("curves", "", text),
+      {sheet.table("table", "_rows", rows), sheet.table("curves", "", text),
        sheet.table("points", "_proposed", proposed),
        "names=" + gnuplot_string(fmt::format("{}", fmt::join(names, " "))),
-       fmt::format("n_curves={}; next_v={:.9g}", names.size(), next.velocity_m_s),
+       fmt::format("n_curves={}; next_v={:.9g}; n_rows={}", names.size(), next.velocity_m_s,
+                   has(r, KatRow::Kind::critical_diameter) ? 1 : 0),
        x.definitions("x"), y.definitions("y")},
       next.velocity_m_s > 0.0
           ? fmt::format("What the leading explanations of {} predict, with one standard deviation, "
@@ -299,7 +313,12 @@ std::string safe_name(const std::string& name) {
 
 StudyFigures draw_study(const StudyResult& r, const fs::path& folder, const std::string& prefix) {
   StudyFigures figures;
-  figures.fit = draw_fit(r, Sheet(folder, prefix + "_fit"));
+  for (const auto kind : {KatRow::Kind::critical_diameter, KatRow::Kind::retained_share,
+                          KatRow::Kind::residual_speed}) {
+    const Quantity& quantity = quantity_of(kind);
+    if (has(r, kind))
+      figures.fit.push_back(draw_fit(r, quantity, Sheet(folder, prefix + "_" + quantity.key)));
+  }
   for (const Column& c : columns(r)) {
     figures.residuals.push_back(
         draw_residuals(r, c, Sheet(folder, prefix + "_residuals_" + safe_name(c.name))));

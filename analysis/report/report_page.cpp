@@ -4,12 +4,14 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 #include <kainjow/mustache.hpp>
 
 #include "analysis/evidence/verdict_words.h"
-#include "analysis/read_file.h"
+#include "analysis/file_text.h"
 #include "analysis/report/inline_svg.h"
+#include "analysis/report/quantity.h"
 #include "analysis/report/report_words.h"
 #include "analysis/report/typeset.h"
 #include "analysis/units.h"
@@ -42,7 +44,7 @@ Data figure(const Figure& f, const char* css_class, const std::filesystem::path&
   d.set("name", f.name);
   d.set("class", css_class);
   d.set("caption", f.caption);
-  d.set("svg", inline_svg(read_file(folder / (f.name + ".svg")), f.name));
+  d.set("svg", inline_svg(file_text(folder / (f.name + ".svg")), f.name));
   return d;
 }
 
@@ -96,13 +98,17 @@ Data rows(const StudyResult& r) {
   Data list(Data::type::list);
   for (std::size_t i = 0; i < r.observations.list.size(); ++i) {
     const Observation& o = r.observations.list[i];
+    const bool relative = o.row.kind() == KatRow::Kind::critical_diameter;
     const auto difference = [&](double model) {
-      return fmt::format("{:+.1f} %", 100.0 * (model / o.measured - 1.0));
+      return relative ? fmt::format("{:+.1f} %", 100.0 * o.error(model))
+                      : fmt::format("{:+.2g}", o.error(model));
     };
     Data d;
     d.set("v", fmt::format("{:g}", o.row.impact_velocity_m_s));
-    d.set("measured", fmt::format("{:g}", o.measured));
-    d.set("sigma", percent(o.sigma));
+    d.set("size", o.row.diameter_um ? fmt::format("{:g}", *o.row.diameter_um) : kNone);
+    d.set("quantity", std::string(quantity_of(o.row.kind()).name) + quantity_of(o.row.kind()).unit);
+    d.set("measured", fmt::format("{:.4g}", o.measured));
+    d.set("sigma", relative ? percent(o.sigma) : fmt::format("{:.2g}", o.sigma));
     d.set("model", fmt::format("{:.4g}", r.comparison.model[i]));
     d.set("difference", difference(r.comparison.model[i]));
     d.set("residual", fmt::format("{:+.1f}", r.comparison.residuals[i]));
@@ -142,9 +148,7 @@ Data candidates(const Diagnosis& d) {
     row.set("rms", percent(c->rms_relative_error));
     row.set("loo", percent(c->loo_rms_relative_error));
     row.set("chi2", number(c->chi2_per_dof(), 3));
-    row.set("plausible", !c->acts      ? kNone
-                         : c->plausible ? "yes"
-                                        : typeset("no: " + c->why));
+    row.set("plausible", !c->acts ? kNone : c->plausible ? "yes" : typeset("no: " + c->why));
     row.set("class", !c->acts ? "soft" : c->plausible ? "good" : "bad");
     row.set("parameters", typeset(c->acts ? parameter_text(*c) : c->why));
     list << row;
@@ -177,11 +181,17 @@ Data study(const ReportPage& page, std::size_t i) {
   d.set("headline", headline(r));
   d.set("fit_words", list_of(fit_words(r)));
   d.set("compare_words", list_of(r.comparison.words));
-  d.set("fit", figure(f.fit, "main", page.folder));
+  Data fits(Data::type::list);
+  for (const Figure& each : f.fit) fits << figure(each, "main", page.folder);
+  d.set("fit", fits);
   Data residuals(Data::type::list);
   for (const Figure& each : f.residuals) residuals << figure(each, "small", page.folder);
   d.set("residuals", residuals);
   d.set("short", r.observations.list.size() <= short_table);
+  d.set("other_kinds", std::any_of(r.observations.list.begin(), r.observations.list.end(),
+                                   [](const Observation& o) {
+                                     return o.row.kind() != KatRow::Kind::critical_diameter;
+                                   }));
   d.set("has_dem", r.dem.has_value());
   d.set("rows", rows(r));
   d.set("tests", tests(r));

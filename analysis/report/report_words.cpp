@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "analysis/report/quantity.h"
 #include "analysis/units.h"
 
 namespace powderlink::analysis {
@@ -32,6 +33,7 @@ std::string range_text(double low, double high, int digits) {
 struct Range {
   double low = INFINITY, high = -INFINITY;
   void add(double value) {
+    if (!std::isfinite(value)) return;
     low = std::min(low, value);
     high = std::max(high, value);
   }
@@ -39,21 +41,27 @@ struct Range {
 };
 
 std::string group_text(const StudyResult& r, const std::vector<std::size_t>& rows, Fit fit) {
-  Range velocity, diameter, percent, sigmas;
+  const Quantity& quantity = quantity_of(r.observations.list[rows.front()].row.kind());
+  const bool relative = quantity.kind == KatRow::Kind::critical_diameter;
+  Range velocity, measured, size, off, sigmas;
   for (const std::size_t i : rows) {
     const Observation& o = r.observations.list[i];
     velocity.add(o.row.impact_velocity_m_s);
-    diameter.add(o.measured);
-    percent.add(100.0 * std::fabs(r.comparison.model[i] / o.measured - 1.0));
+    measured.add(o.measured);
+    size.add(o.row.diameter_um.value_or(NAN));
+    off.add(std::fabs(o.error(r.comparison.model[i])) * (relative ? 100.0 : 1.0));
     sigmas.add(std::fabs(r.comparison.residuals[i]));
   }
   const std::string where =
-      fmt::format("At {} m/s (measured {} µm) the model ", velocity.text(3), diameter.text(3));
+      fmt::format("At {} m/s{} ({} {}{}) the model ", velocity.text(3),
+                  std::isfinite(size.low) ? fmt::format(" and {} µm", size.text(3)) : "",
+                  quantity.name, measured.text(3), quantity.unit);
+  const char* unit = relative ? " %" : quantity.unit;
   if (fit == Fit::fits)
-    return where + fmt::format("fits: it is off by {} % at most, {:.1f} sigmas.",
-                               fmt::format("{:.2g}", percent.high), sigmas.high);
-  return where + fmt::format("is too {} by {} %, {} sigmas.",
-                             fit == Fit::too_large ? "large" : "small", percent.text(2),
+    return where + fmt::format("fits: it is off by {:.2g}{} at most, {:.1f} sigmas.", off.high,
+                               unit, sigmas.high);
+  return where + fmt::format("is too {} by {}{}, {} sigmas.",
+                             fit == Fit::too_large ? "large" : "small", off.text(2), unit,
                              sigmas.text(2));
 }
 
@@ -120,14 +128,20 @@ std::vector<std::string> fit_words(const StudyResult& r) {
   const auto velocity = [&](std::size_t i) {
     return r.observations.list[i].row.impact_velocity_m_s;
   };
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return velocity(a) < velocity(b); });
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    const auto& list = r.observations.list;
+    return std::make_pair(list[a].row.kind(), velocity(a)) <
+           std::make_pair(list[b].row.kind(), velocity(b));
+  });
   std::vector<std::string> words;
   std::vector<std::size_t> group;
   for (std::size_t k = 0; k < order.size(); ++k) {
     group.push_back(order[k]);
     const Fit fit = fit_of(r.comparison.residuals[order[k]]);
-    if (k + 1 < order.size() && fit_of(r.comparison.residuals[order[k + 1]]) == fit) continue;
+    const auto kind = [&](std::size_t i) { return r.observations.list[i].row.kind(); };
+    if (k + 1 < order.size() && fit_of(r.comparison.residuals[order[k + 1]]) == fit &&
+        kind(order[k + 1]) == kind(order[k]))
+      continue;
     words.push_back(group_text(r, group, fit));
     group.clear();
   }

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "analysis/read_file.h"
+#include "analysis/file_text.h"
 #include "models/invalid_input.h"
 
 namespace powderlink::analysis {
@@ -24,7 +24,8 @@ bool same(double a, double b) { return std::fabs(a - b) <= kSameValue * std::fab
 /// A curve over velocity alone stands for the model only if rows differ in nothing else.
 bool one_curve(const Study& study) {
   return std::all_of(study.rows.begin(), study.rows.end(), [&](const KatRow& row) {
-    return row.contact_time_us == study.rows.front().contact_time_us &&
+    return row.kind() == KatRow::Kind::critical_diameter &&
+           row.contact_time_us == study.rows.front().contact_time_us &&
            row.adhesive_energy_J_m2 == study.rows.front().adhesive_energy_J_m2;
   });
 }
@@ -35,7 +36,7 @@ DemFile read_dem_file(const fs::path& file) {
   DemFile dem;
   dem.file = file;
   try {
-    const auto j = nlohmann::json::parse(read_file(file));
+    const auto j = nlohmann::json::parse(file_text(file));
     if (j.at("backend").get<std::string>() != "dem") {
       throw InvalidInput("--dem " + file.string(), "a comparison with the reduced model",
                          "one with LIGGGHTS",
@@ -56,12 +57,13 @@ DemFile read_dem_file(const fs::path& file) {
   return dem;
 }
 
-StudyResult::StudyResult(const fs::path& file)
+StudyResult::StudyResult(const fs::path& file, bool with_diagnosis)
     : study(read_study(file)),
       observations(observe(study)),
       comparison(compare(study, observations)) {
+  if (!with_diagnosis) no_diagnosis = "it was not asked for";
   try {
-    diagnosis = diagnose(study, observations);
+    if (with_diagnosis) diagnosis = diagnose(study, observations);
   } catch (const InvalidInput& e) {
     no_diagnosis = e.what();
   }
@@ -101,8 +103,9 @@ std::vector<const Candidate*> StudyResult::leading() const {
   return list;
 }
 
-double StudyResult::measured_sigma_um(std::size_t row) const {
+double StudyResult::measured_sigma(std::size_t row) const {
   const Observation& o = observations.list[row];
+  if (o.row.kind() != KatRow::Kind::critical_diameter) return o.sigma;
   const double discrepancy = observations.noise.discrepancy;
   return o.measured * std::sqrt(std::max(0.0, o.sigma * o.sigma - discrepancy * discrepancy));
 }

@@ -2,7 +2,7 @@
 /// \file study_result.h
 /// All that a report tells about one study: comparison, diagnosis, curve of the fit, and what
 /// LIGGGHTS made of the same values.
-/// Tests: tests/analysis/report_test.cpp
+/// Tests: tests/report/study_result_test.cpp
 #pragma once
 
 #include <filesystem>
@@ -33,7 +33,7 @@ struct DemResult {
 class StudyResult {
  public:
   /// Reads, fits and judges. A study with too few rows to diagnose is compared only.
-  explicit StudyResult(const std::filesystem::path& file);
+  StudyResult(const std::filesystem::path& file, bool with_diagnosis);
   StudyResult(const StudyResult&) = delete;  // fits refer to the study
   StudyResult& operator=(const StudyResult&) = delete;
 
@@ -44,8 +44,8 @@ class StudyResult {
   std::string effects() const;
   /// The best candidate and those that cannot be told from it, best first.
   std::vector<const Candidate*> leading() const;
-  /// Standard deviation of the measurement alone, without what the model's form may be off [um].
-  double measured_sigma_um(std::size_t row) const;
+  /// Standard deviation of the measurement alone, without what the model's form may be off.
+  double measured_sigma(std::size_t row) const;
 
   const Study study;
   const Observations observations;

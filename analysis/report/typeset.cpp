@@ -8,9 +8,12 @@ namespace powderlink::analysis {
 
 std::string typeset(std::string text) {
   static const std::pair<std::regex, const char*> signs[] = {
-      {std::regex(R"(\bchi\^2)"), "χ²"},  {std::regex(R"(\bdelta BIC)"), "ΔBIC"},
-      {std::regex(R"(\^2\b)"), "²"},      {std::regex(R"(\^3\b)"), "³"},
-      {std::regex(R"(\bum\b)"), "µm"},    {std::regex(R"(\bus\b)"), "µs"},
+      {std::regex(R"(\bchi\^2)"), "χ²"},
+      {std::regex(R"(\bdelta BIC)"), "ΔBIC"},
+      {std::regex(R"(\^2\b)"), "²"},
+      {std::regex(R"(\^3\b)"), "³"},
+      {std::regex(R"(\bum\b)"), "µm"},
+      {std::regex(R"(\bus\b)"), "µs"},
       {std::regex(R"(([0-9]) %)"), "$1\u00a0%"}};
   for (const auto& [pattern, sign] : signs) text = std::regex_replace(text, pattern, sign);
   return text;

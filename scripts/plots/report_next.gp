@@ -1,7 +1,7 @@
 # What the leading explanations predict beyond the measurements, and where to measure next.
 # Called by powderlink report, which sets: table (measured rows), curves (a column per explanation),
 # points (predictions at the proposed velocity), output, scripts, n_curves, names (separated by
-# blanks), next_v (m/s, 0: none), x_low, x_high, y_low, y_high.
+# blanks), next_v (m/s, 0: none), n_rows (0: no critical diameters), x_low, x_high, y_low, y_high.
 set output output
 set datafile separator ","
 set xlabel "impact velocity {/:Italic v} (m/s)"
@@ -24,8 +24,10 @@ if (next_v > 0) {
   command = command . "points using 'velocity_m_s':'diameter_um' with points pointtype 9 pointsize 1.4 linecolor rgb ink title 'predicted at the proposed drop', "
   command = command . "points using 'velocity_m_s':'diameter_um':'hover' with labels hypertext point pointtype 7 pointsize 1.6 linecolor rgb '#FF1A1A1A' notitle, "
 }
-eval "plot " . command . \
-  "table using 'impact_velocity_m_s':(column('measured_um')-column('sigma_um')):(0):(2*column('sigma_um')) with vectors heads nofilled size graph 0.011,90 linestyle 4 notitle, " . \
-  "table using 'impact_velocity_m_s':'measured_um' with points linestyle 4 pointtype 7 pointsize 0.7 title 'measured', " . \
-  "table using 'impact_velocity_m_s':'measured_um':'hover' with labels hypertext point pointtype 7 pointsize 1.6 linecolor rgb '#FFEE7733' notitle"
+if (n_rows > 0) {
+  command = command . "table using 'x':(column('measured')-column('sigma')):(0):(2*column('sigma')) with vectors heads nofilled size graph 0.011,90 linestyle 4 notitle, "
+  command = command . "table using 'x':'measured' with points linestyle 4 pointtype 7 pointsize 0.7 title 'measured', "
+  command = command . "table using 'x':'measured':'hover' with labels hypertext point pointtype 7 pointsize 1.6 linecolor rgb '#FFEE7733' notitle, "
+}
+eval "plot " . command[1:strlen(command) - 2]
 set output

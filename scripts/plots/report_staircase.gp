@@ -9,7 +9,7 @@ set yrange [0 : 1.18 * most]
 set style fill solid 0.85 noborder
 set border 3
 set tics nomirror
-set xtics noenhanced scale 0
+set xtics noenhanced scale 0 ()
 set for [i=1:studies] xtics add (word(names, i) i)
 set key outside above center horizontal Left reverse
 half = n_dem > 0 ? 0.19 : 0.0

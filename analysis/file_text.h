@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// \file read_file.h
+/// \file file_text.h
 /// The whole content of a file, and its fingerprint.
-/// Tests: tests/analysis/gnuplot_test.cpp
+/// Tests: tests/report/gnuplot_test.cpp
 #pragma once
 
 #include <filesystem>
@@ -10,7 +10,7 @@
 namespace powderlink::analysis {
 
 /// Empty when the file is absent or cannot be read.
-std::string read_file(const std::filesystem::path& file);
+std::string file_text(const std::filesystem::path& file);
 
 /// 40 hexadecimal digits, as `sha1sum` prints them.
 std::string sha1(const std::string& text);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "analysis/read_file.h"
+#include "analysis/file_text.h"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@
 
 namespace powderlink::analysis {
 
-std::string read_file(const std::filesystem::path& file) {
+std::string file_text(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
   std::ostringstream text;
   text << in.rdbuf();
