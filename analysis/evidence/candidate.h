@@ -67,7 +67,7 @@ inline constexpr double kAlarm = 0.02;
 inline constexpr double kRmsOverAssumed = 2.0;
 
 /// BIC differences below this do not tell two explanations apart.
-inline constexpr double kApart = 3.0;
+inline constexpr double kApart = 2.0;
 
 /// Parameters of an effect beyond which dry solids do not go; Gamma has no entry in the registry.
 inline constexpr double kPlausibleEnergy_J_m2 = 10.0;

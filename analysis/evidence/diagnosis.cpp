@@ -14,7 +14,8 @@ namespace powderlink::analysis {
 namespace {
 
 constexpr double kSameAsBaseline = 1e-6;   // relative: the effect cannot be seen
-constexpr double kPatternLeads = 0.0;      // of BIC
+constexpr double kPlausibleWithin = 4.0;   // of BIC
+constexpr double kPatternLeads = kApart;   // of BIC
 constexpr std::size_t kPairsFromBest = 3;  // pairs are made of these and all others
 
 void require_rows(const Study& study) {
@@ -194,7 +195,7 @@ Diagnosis diagnose(const Study& study, const Observations& observations) {
       }
       const bool single = enough.front()->added.size() == 1;
       if (single && !enough.front()->plausible) {
-        const double within = enough.front()->bic + kClears;
+        const double within = enough.front()->bic + kPlausibleWithin;
         const auto plausible = std::find_if(enough.begin(), enough.end(), [&](const Candidate* c) {
           return c->plausible && c->bic < within;
         });
@@ -204,7 +205,7 @@ Diagnosis diagnose(const Study& study, const Observations& observations) {
         }
       }
       const bool foreign = pattern != nullptr && pattern_bic(*pattern, observations) <
-                                                     enough.front()->bic + kPatternLeads;
+                                                     enough.front()->bic - kPatternLeads;
       d.verdict = single && leading.size() == 1 && !enough.front()->at_bound() && !foreign
                       ? Verdict::missing_effect
                       : Verdict::ambiguous;

@@ -18,9 +18,8 @@ constexpr double kStep = 0.01;  // of a coordinate: 1 % of a parameter with a sc
 constexpr int kMostIterations = 40;
 constexpr double kTolerance = 1e-9;
 constexpr double kAtBound = 1e-3;  // of the width
-constexpr double kPushes = 0.5;  // of chi^2 per factor e, or per width of a parameter without scale
-
-double scale_of(const FitParameter& p) { return p.logarithmic ? 1.0 : p.width(); }
+constexpr double kPushes = 3.0;    // of chi^2: less and the data do not mind the bound
+constexpr double kKnown = 0.3;  // sigmas of a residual per factor e: less and a direction is open
 
 class Residuals : public ceres::CostFunction {
  public:
@@ -128,17 +127,20 @@ FitSolution least_squares(const FitProblem& problem, const std::vector<double>& 
   s.jacobian = jacobian.topRows(rows);
   s.chi2 = sum_of_squares(s.residuals);
   s.prior = sum_of_squares(all) - s.chi2;
-  const Eigen::VectorXd slope =
-      2.0 * s.jacobian.transpose() *
+  // What a step that no bound stops would take off chi^2, in directions that the data know.
+  const auto svd = decomposition(s.jacobian);
+  const Eigen::VectorXd along =
+      svd.matrixU().transpose() *
       Eigen::Map<const Eigen::VectorXd>(s.residuals.data(), static_cast<long>(rows));
+  double gain = 0.0;
+  for (long i = 0; i < along.size(); ++i)
+    gain += svd.singularValues()[i] > kKnown ? along[i] * along[i] : 0.0;
   for (std::size_t j = 0; j < k; ++j) {
     const FitParameter& p = problem.parameters[j];
     s.values.push_back(std::clamp(p.to_value(at[j]), p.lower, p.upper));
     const double margin = kAtBound * p.width();
-    const double push = slope[static_cast<long>(j)];
-    s.at_bound.push_back(
-        (at[j] < p.to_coordinate(p.lower) + margin && push > kPushes / scale_of(p)) ||
-        (at[j] > p.to_coordinate(p.upper) - margin && push < -kPushes / scale_of(p)));
+    s.at_bound.push_back(gain > kPushes && (at[j] < p.to_coordinate(p.lower) + margin ||
+                                            at[j] > p.to_coordinate(p.upper) - margin));
   }
   return s;
 }

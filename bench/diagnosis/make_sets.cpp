@@ -12,6 +12,8 @@
 //   surface_roughness          Gamma / (1 + (R/r)^p) or Gamma / sqrt(1 + (R/r)^2)
 //   plastic_contact            a gradual change to the flattened contact, exponent 1.2 to 1.8
 //   psd_cutoff                 a soft limit: (d^-q + d_max^-q)^(-1/q), q = 12 to 40
+//   adhesion_scatter           the other sets are critical diameters; here retained shares of 8 to 12
+//                              size classes at one speed, Gamma gamma-distributed, binomial counts
 //   step, wave                 outside the catalogue: a jump at some speed, a sine in v
 //
 // Every set: 6 to 15 rows between 0.5 and 8 m/s, noise of 1 to 6 %, sigma stated in four of five. An
@@ -251,6 +253,7 @@ const std::vector<std::pair<std::string, Law (*)(const Scene&, Random&)>> kKinds
     {"surface_roughness", roughness},
     {"plastic_contact", plastic},
     {"psd_cutoff", cutoff},
+    {"adhesion_scatter", nullptr},
     {"step", step},
     {"wave", wave}};
 
@@ -308,6 +311,52 @@ Set make(Law (*kind)(const Scene&, Random&), bool hidden, Random& random) {
   }
 }
 
+void write_study(const Pair& pair, const std::filesystem::path& folder, const std::string& name,
+                 const char* experiment) {
+  std::ofstream toml(folder / (name + ".toml"));
+  const auto material = [&](const char* table, const Solid& m) {
+    toml << "[" << table << "]  # " << m.name << "\ndensity_kg_m3 = " << m.density
+         << "\nyoungs_modulus_Pa = " << m.modulus << "\npoissons_ratio = " << m.poisson << "\n";
+  };
+  toml << "[study]\nname = \"" << name << "\"\nexperiment = \"" << experiment
+       << "\"\nmeasurements = \"" << name << ".csv\"\n";
+  material("particle", pair.grain);
+  material("substrate", pair.plate);
+  toml << "[model]\neffects = []\n[fit]\nadhesive_energy_J_m2 = [0.001, 1000.0]\n";
+}
+
+/// Counts of one drop: 40 to 200 grains per class; Gamma spreads by a gamma distribution.
+void write_shares(Random& random, const std::filesystem::path& folder, const std::string& name) {
+  const Pair pair = {kGrains[static_cast<std::size_t>(random.integer(0, 4))],
+                     kPlates[static_cast<std::size_t>(random.integer(0, 3))]};
+  const double v = random.logarithmic(0.8, 5.0);
+  const double middle = random.logarithmic(20e-6, 70e-6);
+  const double gamma = pair.gamma_for(0.5 * middle, v);
+  const int shape = random.integer(2, 14);  // relative spread 1/sqrt(shape)
+  const int classes = random.integer(8, 12);
+  const int grains = random.integer(40, 200);
+  std::ofstream csv(folder / (name + ".csv"));
+  csv << "impact_velocity_m_s,diameter_um,diameter_low_um,diameter_high_um,count_before,"
+         "count_after\n";
+  const double low = 0.35 * middle;
+  const double width = std::pow(8.0, 1.0 / classes);
+  for (int i = 0; i < classes; ++i) {
+    const double from = low * std::pow(width, i);
+    int stayed = 0;
+    for (int j = 0; j < grains; ++j) {
+      double spread = 0;  // sum of exponentials, mean 1
+      for (int k = 0; k < shape; ++k) spread -= std::log(1 - random.uniform(0, 1)) / shape;
+      const double r = 0.5 * from * std::pow(width, random.uniform(0, 1));
+      stayed += pair.work(gamma * spread, r) > 0.5 * pair.mass(r) * v * v ? 1 : 0;
+    }
+    char line[160];
+    std::snprintf(line, sizeof line, "%g,%.3f,%.3f,%.3f,%d,%d\n", v, 1e6 * from * std::sqrt(width),
+                  1e6 * from, 1e6 * from * width, grains, stayed);
+    csv << line;
+  }
+  write_study(pair, folder, name, "kat_retention");
+}
+
 void write(const Set& set, const std::filesystem::path& folder, const std::string& name) {
   std::ofstream csv(folder / (name + ".csv"));
   csv << "impact_velocity_m_s,critical_diameter_um"
@@ -320,16 +369,7 @@ void write(const Set& set, const std::filesystem::path& folder, const std::strin
     std::snprintf(line, sizeof line, ",%.4f", d * set.noise);
     csv << (set.stated ? line : "") << "\n";
   }
-  std::ofstream toml(folder / (name + ".toml"));
-  const auto material = [&](const char* table, const Solid& m) {
-    toml << "[" << table << "]  # " << m.name << "\ndensity_kg_m3 = " << m.density
-         << "\nyoungs_modulus_Pa = " << m.modulus << "\npoissons_ratio = " << m.poisson << "\n";
-  };
-  toml << "[study]\nname = \"" << name
-       << "\"\nexperiment = \"kat_critical_diameter\"\nmeasurements = \"" << name << ".csv\"\n";
-  material("particle", set.scene.pair.grain);
-  material("substrate", set.scene.pair.plate);
-  toml << "[model]\neffects = []\n[fit]\nadhesive_energy_J_m2 = [0.001, 1000.0]\n";
+  write_study(set.scene.pair, folder, name, "kat_critical_diameter");
 }
 
 }  // namespace
@@ -356,9 +396,14 @@ int main(int argc, char** argv) {
   for (const auto& [name, law] : kKinds) {
     const int of_kind = wanted.empty() ? count : wanted[name];
     for (int i = 0; i < of_kind; ++i) {
-      const Set set = make(law, name != "none", random);
       char file[16];
       std::snprintf(file, sizeof file, "set_%04d", ++number);
+      if (law == nullptr) {
+        write_shares(random, folder, file);
+        truth << file << "," << name << ",,,\n";
+        continue;
+      }
+      const Set set = make(law, name != "none", random);
       write(set, folder, file);
       truth << file << "," << name << "," << set.noise << "," << (set.stated ? 1 : 0) << ","
             << set.v.size() << "\n";
