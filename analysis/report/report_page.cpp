@@ -180,6 +180,7 @@ Data study(const ReportPage& page, std::size_t i) {
   d.set("chi2", number(r.comparison.chi2_per_dof, 3));
   d.set("headline", headline(r));
   d.set("fit_words", list_of(fit_words(r)));
+  d.set("trend_words", list_of(trend_words(r)));
   d.set("compare_words", list_of(r.comparison.words));
   Data fits(Data::type::list);
   for (const Figure& each : f.fit) fits << figure(each, "main", page.folder);

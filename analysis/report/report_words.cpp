@@ -148,6 +148,20 @@ std::vector<std::string> fit_words(const StudyResult& r) {
   return words;
 }
 
+std::vector<std::string> trend_words(const StudyResult& r) {
+  std::vector<std::string> words;
+  for (const TrendTest& t : r.comparison.tests) {
+    if (!t.counts || t.p_corrected >= kAlarm) continue;
+    const char* what = t.test == "curve"  ? "they lie on a curve"
+                       : t.test == "rank" ? "they rise or fall with it"
+                       : t.test == "runs" ? "neighbours have the same sign"
+                                          : "they are larger than the noise";
+    words.push_back(fmt::format("The residuals are not chance, over {}: {} (p = {:.1g}).",
+                                t.variable, what, t.p_corrected));
+  }
+  return words;
+}
+
 std::vector<std::string> open_questions(const StudyResult& r) {
   std::vector<std::string> words;
   const std::size_t rows = r.observations.list.size();

@@ -20,6 +20,9 @@ std::string headline(const StudyResult& result);
 /// One sentence per group of neighbouring velocities: "At 1.8 to 2.3 m/s (63.8 to 66.4 um) ...".
 std::vector<std::string> fit_words(const StudyResult& result);
 
+/// What residuals that fit one by one may still show together: one sentence per failing test.
+std::vector<std::string> trend_words(const StudyResult& result);
+
 /// What these measurements do not decide.
 std::vector<std::string> open_questions(const StudyResult& result);
 
