@@ -29,6 +29,7 @@ std::string hover_cell(std::string text) {
         return c == '"' || c == '\'' || c == '\\' || static_cast<unsigned char>(c) < ' ';
       },
       ' ');
+  std::replace(text.begin(), text.end(), ',', ';');  // ends a label even within quotes
   return '"' + text + '"';
 }
 

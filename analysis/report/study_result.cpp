@@ -106,7 +106,8 @@ std::vector<const Candidate*> StudyResult::leading() const {
 double StudyResult::measured_sigma(std::size_t row) const {
   const Observation& o = observations.list[row];
   if (o.row.kind() != KatRow::Kind::critical_diameter) return o.sigma;
-  const double discrepancy = observations.noise.discrepancy;
+  // An assumed noise is that of the whole difference.
+  const double discrepancy = observations.noise.known() ? observations.noise.discrepancy : 0.0;
   return o.measured * std::sqrt(std::max(0.0, o.sigma * o.sigma - discrepancy * discrepancy));
 }
 

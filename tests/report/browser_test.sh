@@ -69,7 +69,7 @@ expect "wide=0"
 expect 'title=&lt;script&gt;document.title=1&lt;/script&gt;'
 
 # Values on hover: the first row of the table, and errors of both steps of the staircase.
-for text in '1.8 m/s: measured 66.4 ± 3.3 µm, model ' 'finite_stop_pulse: delta BIC ' \
+for text in '1.8 m/s: measured 66.4 ± 3.3 µm; model ' 'finite_stop_pulse: delta BIC ' \
     'with the reduced model' ' predicts '; do
   grep -qF "<title>$text" dom.html || grep -q "<title>[^<]*$text" dom.html || fail "no mark has the title '$text'"
 done
