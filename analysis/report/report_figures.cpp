@@ -357,15 +357,17 @@ Figure draw_staircase(const std::vector<std::unique_ptr<StudyResult>>& results,
                                                         r->study.name, effects, dem)
                                           : ""));
   }
-  const double noise = 100.0 * results.front()->observations.noise.relative;
+  // Of one table; studies of several have a noise each.
+  const double noise = one_table ? 100.0 * results.front()->observations.noise.relative : 0.0;
   percent.add(noise);
   return sheet.draw(
       "report_staircase.gp",
       {sheet.table("table", "", text), fmt::format("studies={}", names.size()),
        "names=" + gnuplot_string(fmt::format("{}", fmt::join(names, " "))),
        fmt::format("n_dem={}; noise={:.9g}; most={:.9g}", n_dem, noise, percent.high)},
-      "Error before and after each added effect: root of the mean square of "
-      "(model - measured)/measured over all rows.");
+      (one_table ? "Error before and after each added effect" : "Error of each study") +
+          std::string(": root of the mean square of (model - measured)/measured over "
+                      "all rows."));
 }
 
 }  // namespace powderlink::analysis
