@@ -162,7 +162,7 @@ void check_surface_roughness() {
 }
 
 void check_plastic_contact() {
-  const models::JkrLaw law(3.2e9, 5.0);
+  const models::JkrLaw law(5.6e10, 90.0);
   const double a0 = law.equilibrium_contact_radius_m(kRadius);
   const double load = 6 * kPi * law.work_of_adhesion_J_m2() * kRadius;  // apparent, at rest
   const double pressure = load / (kPi * a0 * a0);
@@ -187,7 +187,7 @@ void check_plastic_contact() {
   const auto e = make_effect("plastic_contact", {1e-3 * pressure});
   const double ratio = e->flattening_factor(law, kRadius / 4) / e->flattening_factor(law, kRadius);
   EXPECT_NEAR(ratio, 2.0, 1e-7);
-  EXPECT_EQ(e->flattening_factor(models::JkrLaw(3.2e9, 0.0), kRadius), 1.0);
+  EXPECT_EQ(e->flattening_factor(models::JkrLaw(5.6e10, 0.0), kRadius), 1.0);
 }
 
 void check_psd_cutoff() {
