@@ -127,9 +127,9 @@ namespace {
 double normal_cdf(double x) { return 0.5 * std::erfc(-x / std::sqrt(2.0)); }
 
 double retained_share(const Study& study, const Hypothesis& h, const KatRow& row) {
-  constexpr double wrong_way = 0.01;   // of the grains: moved, miscounted
-  constexpr double half_class = 0.05;  // of the diameter, where the class has no limits
-  constexpr double step = 0.05;        // of ln Gamma, for q
+  constexpr double wrong_grains = 0.25;  // per class: moved, miscounted; keeps the deviance finite
+  constexpr double half_class = 0.05;    // of the diameter, where the class has no limits
+  constexpr double step = 0.05;          // of ln Gamma, for q
   const double energy = row.adhesive_energy_J_m2.value_or(h.adhesive_energy_J_m2);
   const auto critical_um = [&](double gamma) {
     const ReducedModel model(row_setup(study, h.effects, row, gamma));
@@ -159,6 +159,7 @@ double retained_share(const Study& study, const Hypothesis& h, const KatRow& row
   } else {
     share = std::clamp((at - low) / (high - low), 0.0, 1.0);
   }
+  const double wrong_way = wrong_grains / *row.count_before;
   return wrong_way + (1.0 - 2.0 * wrong_way) * share;
 }
 

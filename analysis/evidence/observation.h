@@ -8,7 +8,7 @@
 ///   residual speed      r = (u_model - u_measured)/sigma
 ///
 /// Retained share of a size class: mean of Phi(ln(d_c/d)/w) over ln d within the class, w = s/q, with s
-/// the scatter of ln Gamma and q = dln Gamma/dln d_c; one grain in a hundred goes the wrong way.
+/// the scatter of ln Gamma and q = dln Gamma/dln d_c; a quarter of a grain per class goes the wrong way.
 /// sigma^2 = noise^2 + discrepancy^2. The discrepancy is what the model's own form may be off when
 /// every effect is right (the shape of a pulse, the force law of a bridge): stated, not fitted.
 /// Noise: of the table; else of rows that repeat a drop; else assumed, and then chi^2 is no test.

@@ -3,12 +3,12 @@
 /// Adhesion itself presses the contact beyond yield: it flattens, and the pull-off grows.
 ///
 ///   p     = 6 pi Gamma R* / (pi a0^2),   a0^3 = 9 pi Gamma R*^2/(2 E*)
-///   R_p/R* = sqrt(1 + (p/p_y)^3);   Gamma_eff = Gamma R_p/R*
+///   R_p/R* = (p/p_y)^(3/2) for p > p_y, else 1;   Gamma_eff = Gamma R_p/R*
 ///
 /// so that the pull-off is 1.5 pi Gamma R_p. Derivation: at rest JKR carries the apparent Hertz load
-/// P = 6 pi Gamma R*; where its mean pressure p is far above p_y the contact grows until P = pi a^2 p_y,
-/// and unloads elastically with the radius of curvature R_p = R* (p/p_y)^(3/2) that has this a at this
-/// P. Yield spreads gradually from below the surface: the two limits are joined.
+/// P = 6 pi Gamma R*; where its mean pressure p exceeds p_y the contact grows until P = pi a^2 p_y,
+/// and unloads elastically with the radius of curvature R_p that has this a at this P. Yield is taken
+/// to set in at once, where it really spreads gradually from below the surface.
 /// p ~ Gamma^(1/3) E*^(2/3) R*^(-1/3): small grains yield first.
 /// Symbols: p_y mean pressure at yield [Pa], R_p flattened radius [m], a0 contact radius at rest [m].
 /// Validity: yield by adhesion alone (no other preload), a << R*, no hardening.
@@ -49,7 +49,7 @@ class PlasticContact : public Effect {
     const double a0 = law.equilibrium_contact_radius_m(reduced_radius);
     const double ratio =
         6.0 * law.work_of_adhesion_J_m2() * reduced_radius / (a0 * a0 * yield_pressure_);
-    return std::sqrt(1.0 + ratio * ratio * ratio);
+    return ratio > 1.0 ? ratio * std::sqrt(ratio) : 1.0;
   }
 
  private:
