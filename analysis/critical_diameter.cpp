@@ -4,8 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 
+#include "analysis/critical_speed.h"
 #include "models/kat_theory.h"
 
 namespace powderlink::analysis {
@@ -75,6 +77,69 @@ CriticalDiameter critical_diameter(const ReducedModel& model, double impact_velo
   result.largest_attached_m = attached;
   result.smallest_detached_m = detached;
   result.diameter_m = std::sqrt(attached * detached);
+  return result;
+}
+
+CriticalDiameter quick_critical_diameter(const ReducedModel& model, double impact_velocity,
+                                         bool estimates) {
+  constexpr double integrated_tolerance = 3e-4;
+  constexpr double root_tolerance = 1e-8;  // of ln d
+  constexpr boost::uintmax_t most_turns = 60;
+  const CriticalSpeed critical(model, estimates);
+  if (!critical.available()) return critical_diameter(model, impact_velocity, integrated_tolerance);
+
+  const double speed_change = model.setup().stop.speed_change_m_s(impact_velocity);
+  const auto excess = [&](double log_diameter) {
+    constexpr double slowest = 1e-9;  // of the speed change: the logarithm must stay finite
+    const double needed = critical.speed_change_m_s(std::exp(log_diameter));
+    return std::log(std::max(needed / speed_change, slowest));
+  };
+  const double smallest = std::log(kSmallestDiameter_m);
+  const double largest = std::log(kLargestDiameter_m);
+  double low =
+      std::clamp(std::log(theory_diameter(model, impact_velocity).diameter_m), smallest, largest);
+  double high = low;
+  double at_low = excess(low);
+  double at_high = at_low;
+  double stride = 0.05;
+  CriticalDiameter result;
+  while (at_low < 0.0 || at_high > 0.0) {  // large particles need less speed
+    const bool too_large = at_low < 0.0;
+    if (low == smallest && too_large) {
+      result.state = CriticalDiameter::State::everything_detaches;
+      result.diameter_m = kSmallestDiameter_m;
+      return result;
+    }
+    if (high == largest && !too_large) {
+      result.state = CriticalDiameter::State::nothing_detaches;
+      result.diameter_m = kLargestDiameter_m;
+      return result;
+    }
+    if (too_large) {
+      high = low;
+      at_high = at_low;
+      low = std::max(low - stride, smallest);
+      at_low = excess(low);
+    } else {
+      low = high;
+      at_low = at_high;
+      high = std::min(high + stride, largest);
+      at_high = excess(high);
+    }
+    stride *= 2.0;
+  }
+  if (at_low != 0.0 && at_high != 0.0) {
+    boost::uintmax_t turns = most_turns;
+    const auto root = boost::math::tools::toms748_solve(
+        excess, low, high, at_low, at_high,
+        [](double a, double b) { return std::fabs(b - a) <= root_tolerance; }, turns);
+    low = root.first;
+    high = root.second;
+  } else {
+    (at_low == 0.0 ? high : low) = at_low == 0.0 ? low : high;
+  }
+  result.diameter_m = result.largest_attached_m = result.smallest_detached_m =
+      std::exp(0.5 * (low + high));
   return result;
 }
 

@@ -3,6 +3,7 @@
 /// The critical diameter d_c of the Kinetic Adhesion Test: everything larger leaves the plate.
 ///
 /// reduced model   bracketed from the closed form outwards, then bisected on log d
+/// quick           from the critical speed (critical_speed.h), to 1e-3
 /// closed forms    instant stop (Eq. 4.5) and slow stop (models/kat_theory.h)
 /// Units: m, m/s. Searched between 0.1 um and 1 mm; outside, the state says which end was reached.
 /// Tests: tests/analysis/critical_diameter_test.cpp
@@ -32,6 +33,12 @@ struct CriticalDiameter {
 
 CriticalDiameter critical_diameter(const ReducedModel& model, double impact_velocity_m_s,
                                    double relative_tolerance = 1e-4);
+
+/// As critical_diameter(), but without following the particle's motion where critical_speed.h knows
+/// better: what fits call thousands of times. The bracket then has no width.
+/// \param estimates  of critical_speed.h, for sums of effects
+CriticalDiameter quick_critical_diameter(const ReducedModel& model, double impact_velocity_m_s,
+                                         bool estimates = false);
 
 /// Closed form of the limit that the stop is in, for smooth surfaces without other effects.
 struct TheoryDiameter {

@@ -23,8 +23,12 @@ int run(int argc, char** argv) {
   kat->require_subcommand(1);
   analysis::add_kat_theory_command(*kat);
   analysis::add_kat_run_command(*kat);
+  analysis::add_compare_command(app);
+  analysis::add_diagnose_command(app);
+  analysis::add_add_command(app);
   analysis::add_effects_command(app);
   analysis::add_flow_command(app);
+  analysis::add_report_command(app);
   analysis::add_restart_command(app);
   try {
     app.parse(argc, argv);

@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 
 #include "analysis/checks.h"
@@ -31,20 +32,101 @@ double require_sigma_um(double value, const std::string& where) {
   return value;
 }
 
-const std::vector<Column>& columns() {
-  static const std::vector<Column> list = {
-      {"impact_velocity_m_s", true, require_velocity_m_s,
-       [](KatRow& r, double x) { r.impact_velocity_m_s = x; }},
-      {"critical_diameter_um", true, require_diameter_um,
-       [](KatRow& r, double x) { r.critical_diameter_um = x; }},
-      {"critical_diameter_sigma_um", false, require_sigma_um,
-       [](KatRow& r, double x) { r.critical_diameter_sigma_um = x; }},
-      {"contact_time_us", false, require_contact_time_us,
-       [](KatRow& r, double x) { r.contact_time_us = x; }},
-      {"adhesive_energy_J_m2", false, require_adhesive_energy_J_m2,
-       [](KatRow& r, double x) { r.adhesive_energy_J_m2 = x; }},
-  };
+double require_sigma_m_s(double value, const std::string& where) {
+  if (!(value > 0.0)) {
+    throw InvalidInput(where + ": standard deviation", fmt::format("{:g} m/s", value), "> 0 m/s",
+                       "give the standard deviation of the speed, or drop the column");
+  }
+  return value;
+}
+
+double require_count(double value, const std::string& where) {
+  if (!(value >= 0.0 && value == std::floor(value))) {
+    throw InvalidInput(where + ": count of grains", fmt::format("{:g}", value),
+                       "a whole number, 0 or more", "give counts, not shares");
+  }
+  return value;
+}
+
+double require_speed_m_s(double value, const std::string& where) {
+  return value == 0.0 ? value : require_velocity_m_s(value, where);
+}
+
+std::vector<Column> common_columns() {
+  return {{"impact_velocity_m_s", true, require_velocity_m_s,
+           [](KatRow& r, double x) { r.impact_velocity_m_s = x; }},
+          {"contact_time_us", false, require_contact_time_us,
+           [](KatRow& r, double x) { r.contact_time_us = x; }},
+          {"adhesive_energy_J_m2", false, require_adhesive_energy_J_m2,
+           [](KatRow& r, double x) { r.adhesive_energy_J_m2 = x; }}};
+}
+
+std::vector<Column> columns_of(KatRow::Kind kind) {
+  std::vector<Column> list = common_columns();
+  const Column diameter = {"diameter_um", true, require_diameter_um,
+                           [](KatRow& r, double x) { r.diameter_um = x; }};
+  if (kind == KatRow::Kind::critical_diameter) {
+    list.push_back({"critical_diameter_um", true, require_diameter_um,
+                    [](KatRow& r, double x) { r.critical_diameter_um = x; }});
+    list.push_back({"critical_diameter_sigma_um", false, require_sigma_um,
+                    [](KatRow& r, double x) { r.critical_diameter_sigma_um = x; }});
+  } else if (kind == KatRow::Kind::retained_share) {
+    list.push_back(diameter);
+    list.push_back({"diameter_low_um", false, require_diameter_um,
+                    [](KatRow& r, double x) { r.diameter_low_um = x; }});
+    list.push_back({"diameter_high_um", false, require_diameter_um,
+                    [](KatRow& r, double x) { r.diameter_high_um = x; }});
+    list.push_back(
+        {"count_before", true, require_count, [](KatRow& r, double x) { r.count_before = x; }});
+    list.push_back(
+        {"count_after", true, require_count, [](KatRow& r, double x) { r.count_after = x; }});
+  } else {
+    list.push_back(diameter);
+    list.push_back({"residual_velocity_m_s", true, require_speed_m_s,
+                    [](KatRow& r, double x) { r.residual_velocity_m_s = x; }});
+    list.push_back({"residual_velocity_sigma_m_s", false, require_sigma_m_s,
+                    [](KatRow& r, double x) { r.residual_velocity_sigma_m_s = x; }});
+  }
   return list;
+}
+
+KatRow::Kind kind_of(const CsvTable& table) {
+  if (table.find_column("count_before") || table.find_column("count_after"))
+    return KatRow::Kind::retained_share;
+  return table.find_column("residual_velocity_m_s") ? KatRow::Kind::residual_speed
+                                                    : KatRow::Kind::critical_diameter;
+}
+
+void check_counts(const Measurements& m) {
+  for (std::size_t i = 0; i < m.rows.size(); ++i) {
+    const KatRow& row = m.rows[i];
+    const std::string where = fmt::format("{}, line {}", m.table.file, m.table.rows[i].line);
+    if (row.count_before && (*row.count_before < 1.0 || *row.count_after > *row.count_before)) {
+      throw InvalidInput(
+          where + ": counts",
+          fmt::format("{:g} before, {:g} after", *row.count_before, *row.count_after),
+          "at least one before, and no more after than before",
+          "correct the counts, or remove an empty class");
+    }
+    if (row.diameter_low_um && row.diameter_high_um &&
+        !(*row.diameter_low_um < *row.diameter_high_um)) {
+      throw InvalidInput(
+          where + ": size class",
+          fmt::format("{:g} to {:g} um", *row.diameter_low_um, *row.diameter_high_um), "low < high",
+          "correct the limits");
+    }
+  }
+}
+
+void keep_numbers(Measurements& m, const std::string& name) {
+  const std::size_t column = *m.table.find_column(name);
+  std::vector<double> values;
+  try {
+    for (const CsvTable::Row& row : m.table.rows) values.push_back(m.table.number(row, column));
+  } catch (const InvalidInput&) {
+    return;  // a column of words
+  }
+  for (std::size_t i = 0; i < values.size(); ++i) m.rows[i].other[name] = values[i];
 }
 
 }  // namespace
@@ -53,7 +135,8 @@ Measurements read_measurements(const std::filesystem::path& file) {
   Measurements m;
   m.table = read_csv(file);
   m.rows.resize(m.table.rows.size());
-  for (const Column& c : columns()) {
+  const std::vector<Column> columns = columns_of(kind_of(m.table));
+  for (const Column& c : columns) {
     const auto column = m.table.find_column(c.name);
     if (!column) {
       if (!c.needed) continue;
@@ -61,7 +144,9 @@ Measurements read_measurements(const std::filesystem::path& file) {
           m.table.columns.size() == 1 && m.table.columns[0].find(';') != std::string::npos;
       throw InvalidInput(m.table.file + ": column '" + c.name + "'",
                          fmt::format("columns {}", fmt::join(m.table.columns, ", ")),
-                         "impact_velocity_m_s and critical_diameter_um are needed",
+                         kind_of(m.table) == KatRow::Kind::critical_diameter
+                             ? "impact_velocity_m_s and critical_diameter_um are needed"
+                             : "see the columns of each kind of table in docs/reference.md",
                          semicolons ? "separate the cells by commas, not semicolons"
                                     : "add the column or rename the one that holds it");
     }
@@ -72,8 +157,10 @@ Measurements read_measurements(const std::filesystem::path& file) {
   }
   for (const std::string& name : m.table.columns) {
     const auto known = [&](const Column& c) { return name == c.name; };
-    if (std::none_of(columns().begin(), columns().end(), known)) m.unknown_columns.push_back(name);
+    if (std::none_of(columns.begin(), columns.end(), known)) m.unknown_columns.push_back(name);
   }
+  for (const std::string& name : m.unknown_columns) keep_numbers(m, name);
+  check_counts(m);
   return m;
 }
 

@@ -50,6 +50,14 @@ struct ReducedModel::Sphere {
     return law.effective_modulus_Pa() * a * (w * w + 2.0 / 3.0 * w * h + 0.2 * h * h) -
            law.work_of_adhesion_J_m2() * JkrLaw::kPi * a * a;
   }
+  /// From dF/d(delta) at the given sqrt(a).
+  double period_s(double root) const {
+    const double s3 = root * root * root;
+    const double c = (s3 * root / radius_m - law.overlap_m(root, radius_m)) / root;
+    const double stiffness = law.effective_modulus_Pa() * root * root *
+                             (8.0 * s3 / radius_m - 6.0 * c) / (4.0 * s3 / radius_m - c);
+    return 2.0 * JkrLaw::kPi * std::sqrt(mass_kg / stiffness);
+  }
 };
 
 ReducedModel::ReducedModel(KatSetup setup) : setup_(std::move(setup)) {
@@ -89,8 +97,8 @@ double ReducedModel::steps_per_period(double period_s) const {
 }
 
 /// sqrt(a) where contact, gravity and gap forces balance; 0 when nothing holds the particle.
-double ReducedModel::equilibrium_root(const Sphere& s) const {
-  const double weight = s.mass_kg * setup_.gravity_m_s2;
+double ReducedModel::equilibrium_root(const Sphere& s, double gravity_m_s2) const {
+  const double weight = s.mass_kg * gravity_m_s2;
   const auto away = [&](double root) {
     return s.law.force_N(root, s.radius_m) + weight +
            gap_.force_N(-s.law.overlap_m(root, s.radius_m), s.radius_m);
@@ -105,8 +113,9 @@ double ReducedModel::equilibrium_root(const Sphere& s) const {
     high *= 1.5;
   }
   constexpr int bits = 45;
-  const auto bracket =
-      boost::math::tools::bisect(away, low, high, boost::math::tools::eps_tolerance<double>(bits));
+  boost::uintmax_t turns = 100;
+  const auto bracket = boost::math::tools::toms748_solve(
+      away, low, high, boost::math::tools::eps_tolerance<double>(bits), turns);
   return 0.5 * (bracket.first + bracket.second);
 }
 
@@ -120,20 +129,14 @@ DropOutcome ReducedModel::run(const Sphere& s, double impact_velocity) const {
   const bool rate_dependent = contact_.rate_dependent();
   DropOutcome out;
 
-  double root = equilibrium_root(s);
+  double root = equilibrium_root(s, setup_.gravity_m_s2);
   if (root == 0.0) {  // its weight alone takes it off
     out.detached = true;
     out.speed_m_s = stop.speed_change_m_s(impact_velocity);
     return out;
   }
   double w = -law.overlap_m(root, radius);
-
-  // dF/d(delta) at the start sets the contact's own period.
-  const double s3 = root * root * root;
-  const double c = (s3 * root / radius + w) / root;
-  const double stiffness = law.effective_modulus_Pa() * root * root *
-                           (8.0 * s3 / radius - 6.0 * c) / (4.0 * s3 / radius - c);
-  const double period = 2.0 * JkrLaw::kPi * std::sqrt(m / stiffness);
+  const double period = s.period_s(root);
   const bool instant =
       stop.shape() == StopPulse::Shape::instant || stop.duration_s() < kInstantBelow * period;
   const double stop_end = instant ? 0.0 : stop.duration_s();
@@ -158,8 +161,7 @@ DropOutcome ReducedModel::run(const Sphere& s, double impact_velocity) const {
     return force;
   };
   const double w_tear = -law.tear_off_overlap_m(radius);
-  const double root_tear =
-      law.next_root(-w_tear, radius, std::sqrt(law.equilibrium_contact_radius_m(radius)));
+  const double root_tear = law.tear_off_root(radius);
   double barrier = law.energy_J(root_tear, radius);
   if constexpr (kGapForces) barrier += gap_.energy_J(w_tear, radius);
 
@@ -225,18 +227,44 @@ DropOutcome ReducedModel::run(const Sphere& s, double impact_velocity) const {
   return out;
 }
 
-DropOutcome ReducedModel::drop(double diameter_m, double impact_velocity) const {
+ReducedModel::Sphere ReducedModel::sphere(double diameter_m) const {
   if (!(diameter_m > 0.0 && std::isfinite(diameter_m))) {
     throw InvalidInput("particle diameter", fmt::format("{:g}", diameter_m) + " m", "> 0 m",
                        "give a diameter, such as 50e-6");
   }
+  const double radius = 0.5 * diameter_m;
+  return {radius, models::sphere_mass_kg(radius, setup_.particle.density_kg_m3),
+          contact_.law(radius)};
+}
+
+ReducedModel::AtRest ReducedModel::at_rest(double diameter_m, double gravity_m_s2) const {
+  const Sphere s = sphere(diameter_m);
+  const double root = equilibrium_root(s, gravity_m_s2);
+  AtRest rest;
+  if (root == 0.0) return rest;
+  rest.held = true;
+  rest.period_s = s.period_s(root);
+  const double weight = s.mass_kg * gravity_m_s2;
+  const double w = -s.law.overlap_m(root, s.radius_m);
+  const double w_tear = -s.law.tear_off_overlap_m(s.radius_m);
+  const auto speed = [&](double work) { return std::sqrt(std::max(0.0, 2.0 * work / s.mass_kg)); };
+  const double contact = s.law.energy_J(s.law.tear_off_root(s.radius_m), s.radius_m) -
+                         s.law.energy_J(root, s.radius_m) - weight * (w_tear - w);
+  rest.contact_speed_m_s = speed(contact);
+  // The neck's own energy is lost at tear-off; what pulls across the gap must still be climbed.
+  rest.escape_speed_m_s =
+      speed(contact + gap_.energy_J(w_tear, s.radius_m) - gap_.energy_J(w, s.radius_m) +
+            gap_.climb_J(w_tear, s.radius_m, weight));
+  rest.gap_force_N = -gap_.force_N(w, s.radius_m);
+  return rest;
+}
+
+DropOutcome ReducedModel::drop(double diameter_m, double impact_velocity) const {
+  const Sphere s = sphere(diameter_m);
   if (!(impact_velocity > 0.0 && std::isfinite(impact_velocity))) {
     throw InvalidInput("impact velocity", fmt::format("{:g}", impact_velocity) + " m/s", "> 0 m/s",
                        "give the speed at which the plate meets the anvil");
   }
-  const double radius = 0.5 * diameter_m;
-  const Sphere s{radius, models::sphere_mass_kg(radius, setup_.particle.density_kg_m3),
-                 contact_.law(radius)};
   return gap_.none() ? run<false>(s, impact_velocity) : run<true>(s, impact_velocity);
 }
 

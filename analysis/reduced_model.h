@@ -64,13 +64,30 @@ class ReducedModel {
     return drop(diameter_m, impact_velocity_m_s).detached;
   }
 
+  /// The particle on the plate at rest, and what takes it off by energy alone. Speeds are those of an
+  /// instant stop, without damping and without rate dependence.
+  struct AtRest {
+    bool held = false;  ///< false: its weight takes it off, all else is 0
+    double period_s = 0.0;
+    double escape_speed_m_s = 0.0;
+    double contact_speed_m_s = 0.0;  ///< of the contact alone, without the climb across the gap
+    double gap_force_N = 0.0;        ///< attraction at rest beside the contact, >= 0
+  };
+  AtRest at_rest(double diameter_m) const { return at_rest(diameter_m, setup_.gravity_m_s2); }
+  AtRest at_rest(double diameter_m, double gravity_m_s2) const;
+  bool rate_dependent() const { return contact_.rate_dependent(); }
+  bool gap_forces() const { return !gap_.none(); }
+  /// Contact law of a particle of this radius, with what the effects leave of Gamma.
+  models::JkrLaw law(double radius_m) const { return contact_.law(radius_m); }
+
   const KatSetup& setup() const { return setup_; }
   /// Contact law of a smooth particle.
   const models::JkrLaw& smooth_law() const { return smooth_; }
 
  private:
   struct Sphere;
-  double equilibrium_root(const Sphere& sphere) const;
+  Sphere sphere(double diameter_m) const;
+  double equilibrium_root(const Sphere& sphere, double gravity_m_s2) const;
   double steps_per_period(double period_s) const;
   template <bool kGapForces>
   DropOutcome run(const Sphere& sphere, double impact_velocity_m_s) const;

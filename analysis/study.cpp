@@ -18,12 +18,10 @@ namespace powderlink::analysis {
 
 namespace {
 
-constexpr const char* kExperiment = "kat_critical_diameter";
+const std::vector<std::string> kExperiments = {"kat_critical_diameter", "kat_retention"};
 constexpr const char* kPulseEffect = "finite_stop_pulse";
 constexpr int kFewestParticles = 8;  // with fewer a bracket hardly shrinks from run to run
 constexpr int kMostParticles = 100000;
-// The edge of a rate-dependent contact is first order in time: 1 % of d_c at 0.1 Rayleigh times.
-constexpr double kRateDependentTimeStep = 0.02;
 
 toml::table parse(const std::filesystem::path& file) {
   if (!std::filesystem::is_regular_file(file)) {
@@ -67,6 +65,19 @@ models::Material read_material(const StrictTable& table) {
   return m;
 }
 
+FreeRange read_range(const StrictTable& table, const models::EffectParameter& p,
+                     std::size_t position) {
+  const std::vector<double> values = *table.numbers(p.name);
+  if (values.size() != 2 ||
+      !(values[0] >= p.lower && values[0] < values[1] && values[1] <= p.upper)) {
+    throw InvalidInput(
+        table.place(p.name), fmt::format("[{}]", fmt::join(values, ", ")),
+        fmt::format("[low, high] within {:g} to {:g}, or one number", p.lower, p.upper),
+        "correct the bounds");
+  }
+  return {position, values[0], values[1]};
+}
+
 EffectChoice read_effect(const StrictTable& model, const StrictTable& tables,
                          const std::string& name) {
   const models::EffectInfo* info = nullptr;
@@ -83,6 +94,12 @@ EffectChoice read_effect(const StrictTable& model, const StrictTable& tables,
   const StrictTable table = tables.table(name, keys);
   EffectChoice choice{name, {}};
   for (const auto& p : info->parameters) {
+    if (table.is_list(p.name)) {
+      const FreeRange range = read_range(table, p, choice.parameters.size());
+      choice.free.push_back(range);
+      choice.parameters.push_back(std::clamp(p.typical, range.lower, range.upper));
+      continue;
+    }
     const double value = table.number(p.name).value_or(p.typical);
     if (!(value >= p.lower && value <= p.upper) && value != p.off) {
       throw InvalidInput(table.place(p.name), fmt::format("{:g}", value),
@@ -118,7 +135,7 @@ std::vector<EffectChoice> read_effects(const StrictTable& root) {
 }
 
 EnergyRange read_energy(const StrictTable& root, bool needed) {
-  const StrictTable fit = root.table("fit", {"adhesive_energy_J_m2"});
+  const StrictTable fit = root.table("fit", {"adhesive_energy_J_m2", "model_discrepancy"});
   const std::string key = "adhesive_energy_J_m2";
   const std::string allowed = "bounds [low, high] with 0 < low < high, or one number > 0";
   if (!fit.has(key)) {
@@ -136,6 +153,17 @@ EnergyRange read_energy(const StrictTable& root, bool needed) {
                        "correct the bounds");
   }
   return {values[0], values[1]};
+}
+
+double read_discrepancy(const StrictTable& root, double by_default) {
+  constexpr double largest = 0.5;
+  const StrictTable fit = root.table("fit", {});
+  const double value = fit.number("model_discrepancy").value_or(by_default);
+  if (!(value >= 0.0 && value <= largest)) {
+    throw InvalidInput(fit.place("model_discrepancy"), fmt::format("{:g}", value),
+                       "0 to 0.5, relative", "use 0.015: 1.5 % for the form of a model");
+  }
+  return value;
 }
 
 KatOptions read_kat(const StrictTable& kat, bool rate_dependent) {
@@ -189,18 +217,37 @@ KatOptions read_kat(const StrictTable& kat, bool rate_dependent) {
 
 void read_rows(const StrictTable& root, const StrictTable& study_table, const StrictTable& kat,
                Study& study) {
-  const auto csv = study_table.text("measurements");
+  std::vector<std::string> tables;
+  if (study_table.is_list("measurements"))
+    tables = *study_table.texts("measurements");
+  else if (const auto one = study_table.text("measurements"))
+    tables = {*one};
+  const bool csv = !tables.empty();
   const auto velocities = kat.numbers("velocities_m_s");
   if (csv && velocities) {
     throw InvalidInput(kat.place("velocities_m_s"), "a measurement file and velocities",
                        "one of them", "remove velocities_m_s, or the key measurements of [study]");
   }
   if (csv) {
-    const Measurements m = read_measurements(study.file.parent_path() / *csv);
-    study.rows = m.rows;
-    if (!m.unknown_columns.empty()) {
-      study.notes.push_back(fmt::format("{}: columns that are not used: {}", m.table.file,
-                                        fmt::join(m.unknown_columns, ", ")));
+    for (const std::string& table : tables) {
+      study.measurements.push_back(study.file.parent_path() / table);
+      const Measurements m = read_measurements(study.measurements.back());
+      study.rows.insert(study.rows.end(), m.rows.begin(), m.rows.end());
+      if (!m.unknown_columns.empty()) {
+        study.notes.push_back(fmt::format("{}: columns that are not used: {}", m.table.file,
+                                          fmt::join(m.unknown_columns, ", ")));
+      }
+    }
+    // A column that only some rows have is no column of the study.
+    for (KatRow& row : study.rows) {
+      if (tables.size() > 1) row.other.clear();
+      if (row.adhesive_energy_J_m2.has_value() !=
+              study.rows.front().adhesive_energy_J_m2.has_value() ||
+          row.contact_time_us.has_value() != study.rows.front().contact_time_us.has_value()) {
+        throw InvalidInput(study_table.place("measurements"),
+                           "tables of which some have contact_time_us or adhesive_energy_J_m2",
+                           "these columns in all tables or in none", "add or remove the columns");
+      }
     }
     return;
   }
@@ -226,10 +273,11 @@ Study read_study(const std::filesystem::path& file) {
   const StrictTable about = root.table("study", {"name", "experiment", "measurements"});
   study.name = about.text("name").value_or(file.stem().string());
   study.experiment = about.text("experiment").value_or("");
-  if (study.experiment != kExperiment) {
+  if (std::find(kExperiments.begin(), kExperiments.end(), study.experiment) == kExperiments.end()) {
     throw InvalidInput(about.place("experiment"),
                        study.experiment.empty() ? "nothing" : "'" + study.experiment + "'",
-                       std::string("\"") + kExperiment + "\"", "correct the experiment");
+                       fmt::format("\"{}\"", fmt::join(kExperiments, "\" or \"")),
+                       "correct the experiment");
   }
   const std::vector<std::string> material = {"material", "density_kg_m3", "youngs_modulus_Pa",
                                              "poissons_ratio"};
@@ -248,6 +296,7 @@ Study read_study(const std::filesystem::path& file) {
 
   const bool energy_in_rows = study.rows.front().adhesive_energy_J_m2.has_value();
   study.adhesive_energy = read_energy(root, !energy_in_rows);
+  study.model_discrepancy = read_discrepancy(root, study.model_discrepancy);
   if (energy_in_rows && root.table("fit", {}).has("adhesive_energy_J_m2")) {
     throw InvalidInput(root.table("fit", {}).place("adhesive_energy_J_m2"),
                        "a value here and a column adhesive_energy_J_m2 in the measurements",
@@ -267,8 +316,11 @@ Study read_study(const std::filesystem::path& file) {
   return study;
 }
 
-std::vector<EffectChoice> row_effects(const Study& study, const KatRow& row) {
-  std::vector<EffectChoice> effects = study.effects;
+bool given_by_rows(const Study& study, const std::string& effect, std::size_t parameter) {
+  return effect == kPulseEffect && parameter == 0 && study.rows.front().contact_time_us.has_value();
+}
+
+std::vector<EffectChoice> row_effects(std::vector<EffectChoice> effects, const KatRow& row) {
   for (EffectChoice& e : effects) {
     if (e.name == kPulseEffect && row.contact_time_us)
       e.parameters[0] = *row.contact_time_us * 1e-6;
@@ -276,16 +328,21 @@ std::vector<EffectChoice> row_effects(const Study& study, const KatRow& row) {
   return effects;
 }
 
-KatSetup row_setup(const Study& study, const KatRow& row, double work_of_adhesion_J_m2) {
+KatSetup row_setup(const Study& study, const std::vector<EffectChoice>& effects, const KatRow& row,
+                   double work_of_adhesion_J_m2) {
   KatSetup setup;
   setup.particle = study.particle;
   setup.substrate = study.substrate;
   setup.work_of_adhesion_J_m2 = work_of_adhesion_J_m2;
   setup.restitution = study.kat.restitution;
-  for (const EffectChoice& e : row_effects(study, row)) {
+  for (const EffectChoice& e : row_effects(effects, row)) {
     setup.effects.push_back(models::make_effect(e.name, e.parameters));
   }
   return setup;
+}
+
+KatSetup row_setup(const Study& study, const KatRow& row, double work_of_adhesion_J_m2) {
+  return row_setup(study, study.effects, row, work_of_adhesion_J_m2);
 }
 
 }  // namespace powderlink::analysis

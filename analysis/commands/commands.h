@@ -12,8 +12,12 @@ namespace powderlink::analysis {
 
 void add_kat_theory_command(CLI::App& kat);
 void add_kat_run_command(CLI::App& kat);
+void add_add_command(CLI::App& app);
+void add_compare_command(CLI::App& app);
+void add_diagnose_command(CLI::App& app);
 void add_effects_command(CLI::App& app);
 void add_flow_command(CLI::App& app);
+void add_report_command(CLI::App& app);
 void add_restart_command(CLI::App& app);
 
 }  // namespace powderlink::analysis

@@ -7,9 +7,9 @@
 #include <memory>
 #include <thread>
 
-#include "analysis/adhesion_fit.h"
 #include "analysis/checks.h"
 #include "analysis/commands/commands.h"
+#include "analysis/evidence/study_fit.h"
 #include "analysis/kat/kat_output.h"
 #include "analysis/kat/kat_runner.h"
 #include "analysis/kat/progress.h"
@@ -35,6 +35,12 @@ void run(const Options& o) {
   const Study study = read_study(o.study);
   for (const std::string& note : study.notes) fmt::print(stderr, "powderlink: {}\n", note);
 
+  for (const KatRow& row : study.rows) {
+    if (row.kind() == KatRow::Kind::critical_diameter) continue;
+    throw InvalidInput(o.study, "rows of retained shares or residual speeds",
+                       "critical diameters, or velocities_m_s",
+                       "use 'powderlink compare' and 'powderlink diagnose' for it");
+  }
   KatRunOptions run;
   run.runner = {find_liggghts(), o.wall_limit_s};
   run.out = o.out.empty() ? fs::path(o.study).parent_path() / "results" : fs::path(o.out);
@@ -49,12 +55,13 @@ void run(const Options& o) {
   }
   if (!o.json.empty()) require_folder_of(o.json);
 
-  const RowEnergies energies = row_energies(study);
+  const StudyFit energies = fit_study(study);
   if (energies.fitted) {
     const std::string warning = adhesive_energy_warning(energies.adhesive_energy_J_m2[0], "fit");
     if (!warning.empty()) fmt::print(stderr, "powderlink: {}\n", warning);
   }
-  const std::vector<KatPoint> points = run_study(study, energies.adhesive_energy_J_m2, run);
+  const std::vector<KatPoint> points =
+      run_study(energies.study, energies.adhesive_energy_J_m2, run);
 
   write_file(run.out / "kat.csv", kat_csv(study.name, points));
   write_file(run.out / "particles.csv", particles_csv(study.name, points));

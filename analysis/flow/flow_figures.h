@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file flow_figures.h
 /// SVG figures from the tables of `powderlink flow`, drawn by gnuplot with scripts/plots/flow_*.gp.
-/// POWDERLINK_PLOTS names another folder of these scripts.
 /// Tests: tests/analysis/flow_command_test.cpp
 #pragma once
 

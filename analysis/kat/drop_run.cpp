@@ -5,12 +5,11 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <boost/uuid/detail/sha1.hpp>
 #include <cstdlib>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "analysis/file_text.h"
 #include "analysis/kat/child_process.h"
 #include "analysis/write_file.h"
 
@@ -22,22 +21,6 @@ namespace {
 
 constexpr const char* kFinished = "finished";
 constexpr const char* kScreen = "screen.txt";
-
-std::string read_all(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  std::ostringstream text;
-  text << in.rdbuf();
-  return text.str();
-}
-
-std::string sha1(const std::string& text) {
-  boost::uuids::detail::sha1 hash;
-  hash.process_bytes(text.data(), text.size());
-  boost::uuids::detail::sha1::digest_type digest;
-  hash.get_digest(digest);
-  return fmt::format("{:08x}{:08x}{:08x}{:08x}{:08x}", digest[0], digest[1], digest[2], digest[3],
-                     digest[4]);
-}
 
 /// Size and time of the program and of the styles that it loads: a new build runs again.
 std::string program_state(const fs::path& program) {
@@ -54,7 +37,7 @@ std::string program_state(const fs::path& program) {
 DropResult parse_results(const fs::path& file) {
   DropResult r;
   try {
-    const auto j = nlohmann::json::parse(read_all(file));
+    const auto j = nlohmann::json::parse(file_text(file));
     const auto value = [&](const char* key) {
       return j.at(key).is_null() ? 0.0 : j.at(key).get<double>();
     };
@@ -73,7 +56,7 @@ DropResult parse_results(const fs::path& file) {
 
 /// The line that LIGGGHTS ended with, for the message.
 std::string last_error(const fs::path& screen) {
-  std::istringstream text(read_all(screen));
+  std::istringstream text(file_text(screen));
   std::string last, error;
   for (std::string line; std::getline(text, line);) {
     if (line.find("ERROR") != std::string::npos && error.empty()) error = line;
@@ -101,7 +84,7 @@ DropResult run_drop(const DropRunner& runner, const DropScript& drop, const fs::
   const std::string script = drop_script(drop);
   const std::string hash = sha1(script + program_state(runner.program));
   const fs::path results = folder / kResultsFile;
-  if (fs::is_regular_file(results) && read_all(folder / kFinished) == hash) {
+  if (fs::is_regular_file(results) && file_text(folder / kFinished) == hash) {
     DropResult r = parse_results(results);
     r.reused = true;
     return r;

@@ -76,12 +76,14 @@ std::string stop_keyword(const StopPulse& stop) {
   return stop.rebound() > 0.0 ? text + fmt::format(" rebound {:.9g}", stop.rebound()) : text;
 }
 
-/// The stop is the keyword's business; all other effects are fixes of their own.
+/// The stop is the keyword's business, what belongs to the measurement acts on no grain; all other
+/// effects are fixes of their own.
 std::string effect_fixes(const std::vector<EffectChoice>& effects) {
   std::string text;
   int number = 0;
   for (const EffectChoice& choice : effects) {
-    if (models::make_effect(choice.name, choice.parameters)->stop()) continue;
+    const auto effect = models::make_effect(choice.name, choice.parameters);
+    if (effect->stop() || effect->of_measurement()) continue;
     text += fmt::format("fix             eff{} all adhesion/effect {}", ++number, choice.name);
     for (const double value : choice.parameters) text += fmt::format(" {:.9g}", value);
     text += "\n";

@@ -45,7 +45,7 @@ void run_row(const Study& study, const KatRunOptions& options, std::size_t index
   drop.substrate = study.substrate;
   drop.work_of_adhesion_J_m2 = point.adhesive_energy_J_m2;
   drop.impact_velocity_m_s = point.row.impact_velocity_m_s;
-  drop.effects = row_effects(study, point.row);
+  drop.effects = row_effects(study.effects, point.row);
   drop.options = study.kat;
   const auto run = [&](double smallest, double largest, int round) {
     drop.smallest_diameter_m = smallest;

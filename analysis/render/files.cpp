@@ -60,7 +60,7 @@ void write_vtp(const fs::path& path, vtkPolyData* data) {
   write_file(path, writer->GetOutputString());
 }
 
-std::string read_file(const fs::path& path) {
+std::string file_text(const fs::path& path) {
   std::ifstream in(path, std::ios::binary);
   std::ostringstream text;
   text << in.rdbuf();

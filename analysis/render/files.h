@@ -18,7 +18,7 @@ void write_file(const std::filesystem::path& path, const std::string& content);
 void write_vtp(const std::filesystem::path& path, vtkPolyData* data);
 
 /// The whole of a text file.
-std::string read_file(const std::filesystem::path& path);
+std::string file_text(const std::filesystem::path& path);
 
 /// A folder that takes its final name only by publish(); otherwise it vanishes with its contents.
 class StagedFolder {

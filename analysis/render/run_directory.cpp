@@ -48,7 +48,7 @@ RunResults read_results(const fs::path& run) {
   const fs::path file = run / "kat_results.json";
   if (!fs::exists(file)) return results;
   try {
-    const auto json = nlohmann::json::parse(read_file(file));
+    const auto json = nlohmann::json::parse(file_text(file));
     results.critical_diameter_m = positive(json, "critical_diameter_m", file);
     results.impact_velocity_m_s = positive(json, "impact_velocity_m_s", file);
     results.time_step_s = positive(json, "time_step_s", file);

@@ -35,10 +35,12 @@ class AdhesiveContact {
     }
   }
 
-  /// The law at reduced radius R*, Gamma reduced by roughness.
+  /// The law at reduced radius R*, with the Gamma that roughness and yield leave.
   JkrLaw law(double radius) const {
     double factor = 1.0;
-    for (const Effect* e : effects_) factor *= e->adhesion_factor(radius);
+    for (const Effect* e : effects_) {
+      factor *= e->adhesion_factor(radius) * e->flattening_factor(smooth_, radius);
+    }
     if (factor == 1.0) return smooth_;
     return JkrLaw(smooth_.effective_modulus_Pa(), factor * smooth_.work_of_adhesion_J_m2());
   }

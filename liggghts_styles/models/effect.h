@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "models/invalid_input.h"
+#include "models/jkr_law.h"
 #include "models/stop_pulse.h"
 
 namespace powderlink::models {
@@ -32,6 +33,7 @@ struct EffectInfo {
   std::string mechanism;  ///< one line
   std::string signature;  ///< in d_c(v), one line
   std::vector<EffectParameter> parameters;
+  std::string decisive_test{};  ///< what to change on the device to see this effect, one line
 };
 
 class Effect {
@@ -40,6 +42,11 @@ class Effect {
 
   /// Gamma_eff / Gamma of an interface with reduced radius R* [-].
   virtual double adhesion_factor(double /*reduced_radius_m*/) const { return 1.0; }
+
+  /// Gamma_eff / Gamma of a contact that its own pressure flattens [-]; the law is the smooth one.
+  virtual double flattening_factor(const JkrLaw& /*law*/, double /*reduced_radius_m*/) const {
+    return 1.0;
+  }
 
   /// Fracture energy of an edge that recedes at the given speed, over Gamma [-]; must grow with it.
   virtual double fracture_energy_factor(double /*crack_speed_m_s*/) const { return 1.0; }
@@ -56,6 +63,16 @@ class Effect {
 
   /// The stop that replaces the instant one.
   virtual std::optional<StopPulse> stop() const { return std::nullopt; }
+
+  /// True for what changes the observation and not the contact of one grain: studies apply it to
+  /// the outcome, a LIGGGHTS script refuses it.
+  virtual bool of_measurement() const { return false; }
+  /// What is read as the critical diameter when the contact's own is the given one [m].
+  virtual double observed_diameter_m(double critical_diameter_m) const {
+    return critical_diameter_m;
+  }
+  /// Standard deviation of ln Gamma from grain to grain [-].
+  virtual double adhesion_log_std() const { return 0.0; }
 
  protected:
   static void require_range(const EffectInfo& info, std::size_t i, double value) {

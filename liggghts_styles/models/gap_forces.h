@@ -65,9 +65,14 @@ class GapForces {
   bool let_go(double gap_m, double radius_m, double mass_kg, double speed_m_s, double weight_N,
               bool bridged = true) const {
     if (speed_m_s < 0.0) return false;
+    return 0.5 * mass_kg * speed_m_s * speed_m_s >= climb_J(gap_m, radius_m, weight_N, bridged);
+  }
+
+  /// Work that a free sphere must have to get away from the gap it is at [J]; never negative.
+  double climb_J(double gap_m, double radius_m, double weight_N, bool bridged = true) const {
     const double range = range_m(radius_m, bridged);
     const auto push = [&](double gap) { return force_N(gap, radius_m, bridged) + weight_N; };
-    if (gap_m >= range || push(gap_m) >= 0.0) return true;
+    if (gap_m >= range || push(gap_m) >= 0.0) return 0.0;
     // The top of the potential: where the weight balances the attraction, or where that ends.
     double top = range;
     if (weight_N > 0.0) {
@@ -83,7 +88,7 @@ class GapForces {
     }
     double climb = -energy_J(gap_m, radius_m, bridged);
     if (std::isfinite(top)) climb += energy_J(top, radius_m, bridged) - weight_N * (top - gap_m);
-    return 0.5 * mass_kg * speed_m_s * speed_m_s >= climb;
+    return climb;
   }
 
  private:

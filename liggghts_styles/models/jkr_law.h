@@ -39,9 +39,8 @@ class JkrLaw {
   bool adhesive() const { return c_ > 0.0; }
 
   /// delta at which the neck breaks under controlled displacement (negative) [m].
-  double tear_off_overlap_m(double radius) const {
-    return -0.75 * c_ * std::cbrt(c_ * radius / 4.0);
-  }
+  double tear_off_overlap_m(double radius) const { return -0.75 * c_ * tear_off_root(radius); }
+  double tear_off_root(double radius) const { return std::cbrt(c_ * radius / 4.0); }  ///< sqrt(a)
 
   /// True once the neck is broken. Free of roots: it is called for every live neck in every step.
   bool torn(double overlap, double radius) const {
@@ -63,7 +62,7 @@ class JkrLaw {
     // A neck that was at the tear-off point itself, where Newton's slope vanishes: start from
     // above.
     root = upper_bound(overlap, radius);
-    return newton(overlap, radius, root) ? root : std::cbrt(c_ * radius / 4.0);
+    return newton(overlap, radius, root) ? root : tear_off_root(radius);
   }
 
   /// Normal force [N] from s = sqrt(a); positive pushes apart.

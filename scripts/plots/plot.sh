@@ -19,7 +19,7 @@ trap 'rm -rf -- "$staging"' EXIT
 # A complete figure takes its name; anything less vanishes.
 draw() {  # script, figure, gnuplot assignments
   local script=$1 figure=$2
-  timeout "$limit_s" gnuplot -e "$3; output='$staging/figure.svg'; load '$here/style.gp'" "$here/$script" \
+  timeout "$limit_s" gnuplot -e "$3; scripts='$here'; output='$staging/figure.svg'; load '$here/style.gp'" "$here/$script" \
     2>"$staging/messages" || fail "drawing $figure" "$(tail -n 3 "$staging/messages" | tr '\n' ' ')" \
     "a table that gnuplot can read" "check the table's columns and numbers"
   # Keeps blanks at a change of font, and italics in the family of the rest, in every viewer.

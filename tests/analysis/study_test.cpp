@@ -76,7 +76,7 @@ TEST(Study, ReadsTheContract) {
 
 TEST(Study, MeasuredContactTimeIsTheStop) {
   const Study s = read(Text().set("model", "effects = [\"finite_stop_pulse\"]").text());
-  EXPECT_DOUBLE_EQ(row_effects(s, s.rows[1])[0].parameters[0], 90e-6);
+  EXPECT_DOUBLE_EQ(row_effects(s.effects, s.rows[1])[0].parameters[0], 90e-6);
   EXPECT_DOUBLE_EQ(row_setup(s, s.rows[0], 0.1).effects[0]->stop()->duration_s(), 80e-6);
   ASSERT_FALSE(s.notes.empty());
   EXPECT_NE(s.notes[0].find("contact_time_us"), std::string::npos);

@@ -161,6 +161,46 @@ void check_surface_roughness() {
   EXPECT_NEAR(make_effect("surface_roughness", {1e-9})->adhesion_factor(1e-3) * 1e-3, 1e-9, 1e-15);
 }
 
+void check_plastic_contact() {
+  const models::JkrLaw law(5.6e10, 90.0);
+  const double a0 = law.equilibrium_contact_radius_m(kRadius);
+  const double load = 6 * kPi * law.work_of_adhesion_J_m2() * kRadius;  // apparent, at rest
+  const double pressure = load / (kPi * a0 * a0);
+  const double hertz = 4.0 / 3.0 * law.effective_modulus_Pa() * a0 * a0 * a0 / load;
+  EXPECT_NEAR(hertz, kRadius, 1e-9 * kRadius) << "JKR at rest is Hertz at the apparent load";
+  for (const double share : {0.2, 0.5, 0.9}) {
+    // The flattened contact carries the load at the yield pressure, and Hertz's law for that load
+    // gives the radius of curvature that has this contact radius.
+    const double yield = share * pressure;
+    const double a = std::sqrt(load / (kPi * yield));
+    const double flattened = 4.0 / 3.0 * law.effective_modulus_Pa() * a * a * a / load;
+    const double factor = make_effect("plastic_contact", {yield})->flattening_factor(law, kRadius);
+    EXPECT_NEAR(factor * kRadius / flattened, 1.0, 1e-9);
+  }
+  EXPECT_EQ(make_effect("plastic_contact", {1.01 * pressure})->flattening_factor(law, kRadius),
+            1.0);
+  // Small grains yield first: p ~ R^(-1/3), the factor ~ R^(-1/2).
+  const auto e = make_effect("plastic_contact", {0.1 * pressure});
+  const double ratio = e->flattening_factor(law, kRadius / 4) / e->flattening_factor(law, kRadius);
+  EXPECT_NEAR(ratio, 2.0, 1e-9);
+  EXPECT_EQ(e->flattening_factor(models::JkrLaw(5.6e10, 0.0), kRadius), 1.0);
+}
+
+void check_psd_cutoff() {
+  const auto e = make_effect("psd_cutoff", {60.0});
+  EXPECT_EQ(e->observed_diameter_m(45e-6), 45e-6);
+  EXPECT_NEAR(e->observed_diameter_m(90e-6), 60e-6, kRounding * 60e-6);
+  EXPECT_TRUE(e->of_measurement());
+  EXPECT_EQ(e->adhesion_factor(kRadius), 1.0);
+}
+
+void check_adhesion_scatter() {
+  const auto e = make_effect("adhesion_scatter", {0.4});
+  EXPECT_EQ(e->adhesion_log_std(), 0.4);
+  EXPECT_TRUE(e->of_measurement());
+  EXPECT_EQ(e->observed_diameter_m(45e-6), 45e-6) << "the 50 % point is that of the median grain";
+}
+
 const std::map<std::string, std::function<void()>>& analytic_checks() {
   static const std::map<std::string, std::function<void()>> checks = {
       {"finite_stop_pulse", check_finite_stop_pulse},
@@ -168,6 +208,9 @@ const std::map<std::string, std::function<void()>>& analytic_checks() {
       {"electrostatic_image_force", check_electrostatic_image_force},
       {"capillary_bridge", check_capillary_bridge},
       {"surface_roughness", check_surface_roughness},
+      {"plastic_contact", check_plastic_contact},
+      {"psd_cutoff", check_psd_cutoff},
+      {"adhesion_scatter", check_adhesion_scatter},
   };
   return checks;
 }
@@ -192,7 +235,8 @@ TEST(EffectRegistry, EveryEffectHasAnAnalyticCheckAndPassesIt) {
 }
 
 bool ends_with_unit(const std::string& name) {
-  for (const std::string& unit : std::vector<std::string>{"_s", "_m", "_Pa", "_m2", "_over_R"}) {
+  for (const std::string& unit :
+       std::vector<std::string>{"_s", "_m", "_um", "_Pa", "_m2", "_over_R"}) {
     if (name.size() > unit.size() &&
         name.compare(name.size() - unit.size(), unit.size(), unit) == 0) {
       return true;
@@ -202,13 +246,14 @@ bool ends_with_unit(const std::string& name) {
 }
 
 TEST(EffectRegistry, InfosAreComplete) {
-  const std::set<std::string> dimensionless = {"plate_restitution", "exponent"};
+  const std::set<std::string> dimensionless = {"plate_restitution", "exponent", "log_std"};
   for (const EffectEntry& entry : effect_registry()) {
     SCOPED_TRACE(entry.info->name);
     EXPECT_EQ(entry.info->name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_"),
               std::string::npos);
     EXPECT_FALSE(entry.info->mechanism.empty());
     EXPECT_FALSE(entry.info->signature.empty());
+    EXPECT_FALSE(entry.info->decisive_test.empty());
     EXPECT_FALSE(entry.info->parameters.empty());
     EXPECT_LE(entry.info->parameters.size(), 2U);
     std::set<std::string> names;
@@ -248,6 +293,10 @@ void expect_baseline(const Effect& e) {
       EXPECT_EQ(e.gap_energy_J(gap, radius), 0.0) << gap;
     }
   }
+  const models::JkrLaw law(1e10, 10.0);
+  EXPECT_EQ(e.flattening_factor(law, kRadius), 1.0);
+  EXPECT_EQ(e.observed_diameter_m(5e-5), 5e-5);
+  EXPECT_EQ(e.adhesion_log_std(), 0.0);
   EXPECT_FALSE(e.rate_dependent());
   for (const double speed : {0.0, 1.0, 1e3}) EXPECT_EQ(e.fracture_energy_factor(speed), 1.0);
   if (const auto stop = e.stop()) {

@@ -27,13 +27,15 @@ namespace powderlink::models {
 class CapillaryBridge : public Effect {
  public:
   static const EffectInfo& info() {
-    static const EffectInfo i{"capillary_bridge",
-                              "a liquid bridge with force and rupture distance",
-                              "slope towards -2 at low Gamma",
-                              {{"surface_tension_N_m", 0.0, 0.0728, 1e-4, 10.0, 0.02, 0.0728,
-                                "organic films to clean water"},
-                               {"rupture_distance_over_R", 0.0, 0.05, 1e-4, 1.0, 1e-3, 0.3,
-                                "adsorbed films to pendular bridges"}}};
+    static const EffectInfo i{
+        "capillary_bridge",
+        "a liquid bridge with force and rupture distance",
+        "slope towards -2 at low Gamma",
+        {{"surface_tension_N_m", 0.0, 0.0728, 1e-4, 10.0, 0.02, 0.0728,
+          "organic films to clean water"},
+         {"rupture_distance_over_R", 0.0, 0.05, 1e-4, 1.0, 1e-3, 0.3,
+          "adsorbed films to pendular bridges"}},
+        "dry the powder and the air (below 20 % relative humidity): d_c at low speed must fall"};
     return i;
   }
 

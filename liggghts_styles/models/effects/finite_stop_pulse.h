@@ -28,7 +28,9 @@ class FiniteStopPulse : public Effect {
         "the plate stops over a time tau (half-sine), with rebound e_p",
         "slope near -1/2; needs a Gamma 100-1000 times below the instant stop's",
         {{"tau_s", 0.0, 1e-4, 1e-7, 1e-2, 5e-5, 2e-4, "device: carrier-anvil contact of 50-200 us"},
-         {"plate_restitution", 0.0, 0.0, 0.0, 1.0, 0.0, 0.9, "elastic limit 1"}}};
+         {"plate_restitution", 0.0, 0.0, 0.0, 1.0, 0.0, 0.9, "elastic limit 1"}},
+        "measure the contact time of carrier and anvil, and change it (softer or stiffer anvil): "
+        "d_c must follow its square root"};
     return i;
   }
 

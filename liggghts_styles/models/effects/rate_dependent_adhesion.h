@@ -17,6 +17,7 @@ POWDERLINK_EFFECT(rate_dependent_adhesion, RateDependentAdhesion)
 #define POWDERLINK_MODELS_EFFECTS_RATE_DEPENDENT_ADHESION_H
 
 #include <cmath>
+#include <memory>
 
 #include "models/effect.h"
 
@@ -31,7 +32,8 @@ class RateDependentAdhesion : public Effect {
         "slope between -1.2 and about -0.9, the same at all v",
         {{"v_star_m_s", std::numeric_limits<double>::infinity(), 1.0, 1e-6, 1e6, 1e-6, 1e3,
           "elastomers 1e-6, rigid polymers and oxides up to the sound speed"},
-         {"exponent", 0.0, 0.6, 0.05, 2.0, 0.1, 1.0, "Maugis and Barquins 1978: 0.6"}}};
+         {"exponent", 0.0, 0.6, 0.05, 2.0, 0.1, 1.0, "Maugis and Barquins 1978: 0.6"}},
+        "another temperature or a polymer plate changes it, a stiffer anvil does not"};
     return i;
   }
 
@@ -39,6 +41,17 @@ class RateDependentAdhesion : public Effect {
       : v_star_(p.at(0)), exponent_(p.at(1)) {
     for (std::size_t i = 0; i < 2; ++i) require_range(info(), i, p[i]);
   }
+
+  /// For tables of this law: any v* > 0 and n > 0, not only those that a fit may take.
+  static std::shared_ptr<const Effect> unbounded(double v_star_m_s, double exponent) {
+    const auto e = std::make_shared<RateDependentAdhesion>(std::vector<double>{1.0, 1.0});
+    e->v_star_ = v_star_m_s;
+    e->exponent_ = exponent;
+    return e;
+  }
+
+  double v_star_m_s() const { return v_star_; }
+  double exponent() const { return exponent_; }
 
   bool rate_dependent() const override { return std::isfinite(v_star_) && exponent_ > 0.0; }
   double fracture_energy_factor(double crack_speed) const override {

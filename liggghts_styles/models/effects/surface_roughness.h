@@ -29,7 +29,8 @@ class SurfaceRoughness : public Effect {
         "asperities limit the contact: Gamma falls with R",
         "slope from -1.2 (small d) towards -0.6 (large d)",
         {{"asperity_radius_m", std::numeric_limits<double>::infinity(), 1e-6, 1e-9, 1e-2, 1e-9,
-          1e-5, "asperities of powder and polished plates, 1 nm to 10 um"}}};
+          1e-5, "asperities of powder and polished plates, 1 nm to 10 um"}},
+        "a polished plate, or one of known roughness"};
     return i;
   }
 

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file candidate.h
+/// One explanation of a study's measurements: its effects and what is added to them, fitted.
+///
+///   known noise    score = chi^2
+///   assumed noise  score = (n + nu) ln(1 + chi^2/nu), nu = 2: the noise itself is uncertain
+///   BIC = score + prior + k ln n
+///
+/// Known beforehand: a fitted value outside its plausible range costs the square of the decades that it
+/// is off, in the fit and in BIC. And values outside are taken only if the data insist: if the best fit
+/// within the plausible ranges is worse by more than kApart of BIC.
+/// k counts the parameters that the data need: one of an added effect that may as well keep its
+/// typical value (BIC is not higher then) is held there and said to be undetermined.
+/// Symbols: n rows. Source: G. Schwarz, Ann. Statist. 6 (1978) 461.
+/// Tests: tests/analysis/evidence_fit_test.cpp
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "analysis/evidence/least_squares.h"
+#include "analysis/evidence/observation.h"
+#include "analysis/evidence/trends.h"
+
+namespace powderlink::analysis {
+
+struct ParameterEstimate {
+  enum class Role { fitted, held, fixed };
+  std::string name;    ///< with its unit, "tau_s"
+  std::string effect;  ///< empty for the adhesive energy
+  double value = 0.0;
+  Role role = Role::fixed;
+  double lower = 0.0, upper = 0.0;  ///< bounds of the fit
+  bool at_bound = false;
+  double plausible_lower = 0.0, plausible_upper = 0.0;
+  std::string source;  ///< of the plausible range
+  bool plausible() const { return value >= plausible_lower && value <= plausible_upper; }
+};
+
+struct Candidate {
+  std::string name;  ///< "none", "a" or "a+b"
+  std::vector<std::string> added;
+  Hypothesis hypothesis;
+  std::vector<ParameterEstimate> parameters;
+  FitProblem problem;  ///< of the fitted parameters, in their order; refers to the study
+  FitSolution solution;
+  std::vector<double> predicted;
+  double bic = 0.0;
+  double rms_relative_error = 0.0;
+  double loo_rms_relative_error = 0.0;
+  std::vector<TrendTest> tests;
+  bool plausible = true;
+  bool acts = true;  ///< false: these observations cannot show the added effect
+  std::string why;   ///< of plausible
+
+  int fitted() const { return static_cast<int>(solution.values.size()); }
+  double chi2_per_dof() const;
+  const ParameterEstimate* find(const std::string& name) const;
+  /// A fitted parameter stopped at a bound: the candidate may be better than it looks.
+  bool at_bound() const;
+};
+
+/// Chance that the tests of a right model fail by accident, together.
+inline constexpr double kAlarm = 0.02;
+
+/// Residuals over an assumed noise that pass for noise: tables like these have 1 to 10 %.
+inline constexpr double kRmsOverAssumed = 2.0;
+
+/// BIC differences below this do not tell two explanations apart.
+inline constexpr double kApart = 2.0;
+
+/// Parameters of an effect beyond which dry solids do not go; Gamma has no entry in the registry.
+inline constexpr double kPlausibleEnergy_J_m2 = 10.0;
+
+/// Tests of residuals in sigmas against the study's columns, corrected for their number.
+std::vector<TrendTest> residual_tests(const Study& study, const Observations& observations,
+                                      const std::vector<double>& residuals, int fitted);
+
+/// The rule by which a model fails: a test fails at kAlarm, or, with an assumed noise, the residuals
+/// are more than kRmsOverAssumed times that noise.
+bool residuals_fail(const std::vector<TrendTest>& tests, const std::vector<double>& residuals,
+                    const Noise& noise);
+
+/// What BIC adds its penalty to.
+double score(const Observations& observations, double chi2);
+
+/// Two added effects are estimated together (Hypothesis::estimated) and tried from `near`.
+/// \param study, observations  must outlive the result
+/// \param near  explanations to start from; empty: the bounds are searched
+Candidate fit_candidate(const Study& study, const Observations& observations,
+                        const std::vector<std::string>& added,
+                        const std::vector<const Candidate*>& near = {});
+
+}  // namespace powderlink::analysis

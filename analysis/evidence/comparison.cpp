@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/evidence/comparison.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "analysis/evidence/diagnosis.h"
+
+namespace powderlink::analysis {
+
+namespace {
+
+constexpr double kWorthNaming = 2.0;  // sigmas
+constexpr double kCorrelated = 0.9;
+
+std::vector<std::string> doubts(const Comparison& c, const Study& study) {
+  std::vector<std::string> words;
+  if (c.residuals.size() < kFewestRows) {
+    words.push_back(fmt::format("{} rows cannot test a model: at least {} are needed",
+                                c.residuals.size(), kFewestRows));
+  }
+  const bool one_velocity =
+      study.rows.front().kind() == KatRow::Kind::critical_diameter &&
+      std::all_of(study.rows.begin(), study.rows.end(), [&](const KatRow& row) {
+        return row.impact_velocity_m_s == study.rows.front().impact_velocity_m_s;
+      });
+  if (one_velocity) words.push_back("all rows have one velocity: how d_c changes cannot be judged");
+  for (const ParameterEstimate& p : c.fit.parameters) {
+    if (p.at_bound)
+      words.push_back(fmt::format("{} = {:.4g} stopped at a bound of the fit", p.name, p.value));
+  }
+  return words;
+}
+
+}  // namespace
+
+std::string to_string(Comparison::Verdict verdict) {
+  switch (verdict) {
+    case Comparison::Verdict::agrees:
+      return "agrees";
+    case Comparison::Verdict::fails:
+      return "fails";
+    case Comparison::Verdict::undecided:
+      break;
+  }
+  return "undecided";
+}
+
+void judge(Comparison& c, const Study& study, const Observations& observations,
+           const std::vector<double>& model) {
+  c.model = model;
+  c.residuals.clear();
+  double squares = 0.0;
+  double chi2 = 0.0;
+  const std::size_t n = model.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    c.residuals.push_back(residual(observations.list[i], model[i]));
+    chi2 += c.residuals[i] * c.residuals[i];
+    squares += std::pow(observations.list[i].error(model[i]), 2);
+  }
+  c.rms_relative_error = std::sqrt(squares / static_cast<double>(n));
+  const int degrees = static_cast<int>(n) - c.fit.fitted();
+  c.chi2_per_dof = degrees > 0 ? chi2 / degrees : std::numeric_limits<double>::quiet_NaN();
+  c.tests = residual_tests(study, observations, c.residuals, c.fit.fitted());
+
+  const std::vector<std::string> doubtful = doubts(c, study);
+  const bool fails = residuals_fail(c.tests, c.residuals, observations.noise);
+  c.verdict = fails              ? Comparison::Verdict::fails
+              : doubtful.empty() ? Comparison::Verdict::agrees
+                                 : Comparison::Verdict::undecided;
+  c.words = {"judged with " + observations.noise.text()};
+  c.words.insert(c.words.end(), doubtful.begin(), doubtful.end());
+  std::vector<std::string> far;
+  for (std::size_t i = 0; i < n; ++i) {
+    if (std::fabs(c.residuals[i]) > kWorthNaming) {
+      far.push_back(fmt::format("{:g} m/s ({:.3g} um): {:+.1f}", study.rows[i].impact_velocity_m_s,
+                                observations.list[i].measured, c.residuals[i]));
+    }
+  }
+  if (!far.empty())
+    c.words.push_back(fmt::format("beyond 2 sigma (model - measured): {}", fmt::join(far, "; ")));
+  for (const TrendTest& t : c.tests) {
+    if (t.counts && t.p_corrected < kAlarm) {
+      c.words.push_back(fmt::format("the residuals show a {} over {} (p = {:.1g})", t.test,
+                                    t.variable, t.p_corrected));
+    }
+  }
+  for (const std::string& direction : c.uncertainty.flat)
+    c.words.push_back("the data leave open: " + direction);
+  const auto& correlation = c.uncertainty.correlation;
+  for (long i = 0; i < correlation.rows(); ++i) {
+    for (long j = 0; j < i; ++j) {
+      if (std::fabs(correlation(i, j)) < kCorrelated) continue;
+      c.words.push_back(fmt::format(
+          "{} and {} are correlated ({:+.2f}): the data fix their combination",
+          c.fit.problem.parameters[static_cast<std::size_t>(j)].name,
+          c.fit.problem.parameters[static_cast<std::size_t>(i)].name, correlation(i, j)));
+    }
+  }
+  if (!c.fit.plausible) c.words.push_back("implausible: " + c.fit.why);
+}
+
+std::vector<ProfileInterval> intervals_of(const Candidate& c, const Observations& observations) {
+  const int degrees = static_cast<int>(observations.list.size()) - c.fitted();
+  const double scatter = degrees > 0 ? c.solution.chi2 / degrees : 1.0;
+  const double rise = observations.noise.known() ? 1.0 : scatter;
+  std::vector<ProfileInterval> intervals;
+  for (std::size_t j = 0; j < c.solution.values.size(); ++j)
+    intervals.push_back(profile_interval(c.problem, c.solution, j, rise));
+  return intervals;
+}
+
+Comparison compare(const Study& study, const Observations& observations) {
+  Comparison c;
+  c.fit = fit_candidate(study, observations, {});
+  c.intervals = intervals_of(c.fit, observations);
+  c.uncertainty = uncertainty(c.fit.problem, c.fit.solution);
+  judge(c, study, observations, c.fit.predicted);
+  return c;
+}
+
+}  // namespace powderlink::analysis

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file diagnosis.h
+/// Which effect is missing, if any: the rules of evidence.
+///
+/// 1. The study's own model is fitted. Unless a test of its residuals fails (5 tests at most, after
+///    Holm, at kAlarm) nothing is missing: `no_missing_effect`.
+/// 2. Every effect of the catalogue is added and fitted. A candidate *suffices* when its own residuals
+///    pass and it clears the baseline by kClears of BIC. With an assumed noise "pass" is an rms of at
+///    most twice that noise.
+/// 3. The best that suffices is named alone, `missing_effect`, when it leads every other one that
+///    suffices by kApart, is not at a bound, no foreign pattern (patterns.h) leads it by kApart, and it is
+///    plausible or no plausible one that suffices is within 4 of BIC. Otherwise `ambiguous`; all that cannot
+///    be told apart are named, and with an implausible leader that plausible one, which then is `best`.
+/// 4. When none suffices, pairs are tried. A pair that does makes `ambiguous`: so many parameters
+///    prove little. Else `unexplained`.
+/// Implausible parameters mark a candidate and do not remove it.
+/// Tests: tests/analysis/diagnosis_test.cpp; docs/diagnosis.md has the study of its error rates.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "analysis/evidence/candidate.h"
+#include "analysis/evidence/next_measurement.h"
+#include "analysis/evidence/patterns.h"
+
+namespace powderlink::analysis {
+
+inline constexpr double kSuffices = 0.005;  ///< chance that a right candidate fails its tests
+inline constexpr double kClears = 6.0;      ///< of BIC, against the baseline
+inline constexpr std::size_t kFewestRows = 4;
+
+enum class Verdict { no_missing_effect, missing_effect, ambiguous, unexplained };
+std::string to_string(Verdict verdict);
+
+struct Diagnosis {
+  Verdict verdict = Verdict::unexplained;
+  std::string best;                ///< empty: none
+  std::vector<Candidate> ranking;  ///< best first, always with "none"
+  std::vector<Candidate> pairs;    ///< best first; only when no single effect suffices
+  std::vector<std::string>
+      indistinguishable;  ///< those that the data cannot tell apart, best first
+  std::vector<Pattern> patterns;
+  std::vector<std::string> words;  ///< the verdict in sentences
+  NextMeasurement next;
+
+  const Candidate& baseline() const { return get("none"); }
+  const Candidate& get(const std::string& name) const;  ///< single or pair
+};
+
+/// Throws InvalidInput for rows that cannot decide anything: fewer than four, or one velocity only.
+Diagnosis diagnose(const Study& study, const Observations& observations);
+
+}  // namespace powderlink::analysis

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file least_squares.h
+/// Weighted least squares within bounds by Ceres Solver, in the logarithm of parameters that have a
+/// scale; from several starts when asked. Knows nothing of contacts.
+///
+///   chi^2(x) = sum r_i(x)^2, r in sigmas
+///
+/// Tests: tests/analysis/evidence_fit_test.cpp
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace powderlink::analysis {
+
+struct FitParameter {
+  std::string name;
+  double lower = 0.0, upper = 0.0;
+  double start = 0.0;
+  bool logarithmic = true;
+
+  double to_coordinate(double value) const;
+  double to_value(double coordinate) const;
+  double width() const { return to_coordinate(upper) - to_coordinate(lower); }
+};
+
+struct FitProblem {
+  std::vector<FitParameter> parameters;
+  /// One per row; values in the order of the parameters.
+  std::function<std::vector<double>(const std::vector<double>& values)> residuals;
+  /// Optional: what is known beforehand, as residuals of its own; minimised along, not in chi2.
+  std::function<std::vector<double>(const std::vector<double>& values)> prior{};
+};
+
+struct FitSolution {
+  std::vector<double> values;
+  std::vector<double> residuals;
+  double chi2 = 0.0;
+  double prior = 0.0;        ///< sum of its squares
+  Eigen::MatrixXd jacobian;  ///< of the residuals, in the parameters' coordinates
+  /// Per parameter: it is at a bound that chi^2 pushes it against. One that merely lies there, because
+  /// the data do not mind, is not meant.
+  std::vector<bool> at_bound;
+};
+
+/// From `start`; with no parameters the residuals alone.
+FitSolution least_squares(const FitProblem& problem, const std::vector<double>& start);
+
+/// Best of the starts; ties keep the earlier one.
+FitSolution least_squares(const FitProblem& problem,
+                          const std::vector<std::vector<double>>& starts);
+
+/// Leave-one-out residuals from one Gauss-Newton step without the row; r_i/(1 - h_ii) with the hat
+/// matrix h. A parameter that the row alone determines keeps its value.
+std::vector<double> leave_one_out(const FitSolution& solution);
+
+/// Interval of one parameter where chi^2, minimised over the others, rises by less than `rise`.
+/// An end that is not reached within the bounds is the bound.
+struct ProfileInterval {
+  double low = 0.0, high = 0.0;
+  bool open_low = false, open_high = false;  ///< the bound came first
+};
+ProfileInterval profile_interval(const FitProblem& problem, const FitSolution& solution,
+                                 std::size_t parameter, double rise);
+
+/// Correlation of the parameters; and directions that the data leave open.
+struct Uncertainty {
+  Eigen::MatrixXd correlation;
+  std::vector<double> sigma;      ///< in the parameters' coordinates
+  std::vector<std::string> flat;  ///< "a and b together", one text per open direction
+};
+Uncertainty uncertainty(const FitProblem& problem, const FitSolution& solution);
+
+}  // namespace powderlink::analysis

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file observation.h
+/// What was measured, what a hypothesis predicts for it, and the residual between them.
+///
+///   critical diameter   r = (d_model/d_measured - 1)/sigma,  sigma relative
+///   retained share      r^2 = deviance of k of n grains under the share p:
+///                       2 (k ln(k/(n p)) + (n - k) ln((n - k)/(n (1 - p)))), r > 0 where p > k/n
+///   residual speed      r = (u_model - u_measured)/sigma
+///
+/// Retained share of a size class: mean of Phi(ln(d_c/d)/w) over ln d within the class, w = s/q, with s
+/// the scatter of ln Gamma and q = dln Gamma/dln d_c; a quarter of a grain per class goes the wrong way.
+/// sigma^2 = noise^2 + discrepancy^2. The discrepancy is what the model's own form may be off when
+/// every effect is right (the shape of a pulse, the force law of a bridge): stated, not fitted.
+/// Noise: of the table; else of rows that repeat a drop; else assumed, and then chi^2 is no test.
+/// Units: um, m/s. Tests: tests/analysis/evidence_fit_test.cpp
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "analysis/study.h"
+
+namespace powderlink::analysis {
+
+/// What is taken to act: effects with their parameters, and the interface's work of adhesion.
+struct Hypothesis {
+  std::vector<EffectChoice> effects;
+  double adhesive_energy_J_m2 = 0.0;
+  bool estimated = false;  ///< sums of effects are estimated (critical_speed.h)
+};
+
+struct Observation {
+  KatRow row;
+  double measured = 0.0;  ///< [um], share, or [m/s]
+  double sigma = 0.0;     ///< of measured: relative with the discrepancy, of the share, or [m/s]
+  /// Model over measured less one; for shares and speeds, which may be 0, their difference.
+  double error(double predicted) const;
+};
+
+struct Noise {
+  enum class Origin { stated, replicates, assumed };
+  Origin origin = Origin::stated;
+  double relative = 0.0;            ///< typical value
+  double degrees_of_freedom = 0.0;  ///< behind an estimate from replicates
+  double discrepancy = 0.0;         ///< of the model's form, relative
+  /// chi^2 can be compared with its distribution only where the noise is known.
+  bool known() const { return origin != Origin::assumed; }
+  std::string text() const;
+};
+
+struct Observations {
+  std::vector<Observation> list;
+  Noise noise;
+};
+
+inline constexpr double kAssumedRelativeNoise = 0.05;
+
+/// Throws InvalidInput for a study without measurements.
+Observations observe(const Study& study);
+
+/// d_c that would be read [um]; the end of the searched range when nothing or everything leaves.
+double predicted_diameter_um(const Study& study, const Hypothesis& hypothesis, const KatRow& row);
+
+/// What the row's measurement is compared with: d_c [um], retained share, residual speed [m/s].
+double predicted(const Study& study, const Hypothesis& hypothesis, const KatRow& row);
+
+/// In sigmas.
+double residual(const Observation& observation, double predicted);
+
+}  // namespace powderlink::analysis

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/evidence/study_text.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <sstream>
+
+#include <toml++/toml.h>
+
+#include "analysis/material_library.h"
+#include "models/effect_registry.h"
+
+namespace powderlink::analysis {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string quoted(const std::string& text) {
+  std::ostringstream out;
+  out << toml::value<std::string>(text);
+  return out.str();
+}
+
+std::string material_text(const char* table, const models::Material& m) {
+  const auto& known = known_materials();
+  const bool by_name = std::any_of(known.begin(), known.end(),
+                                   [&](const models::Material& k) { return k.name == m.name; });
+  if (by_name) return fmt::format("\n[{}]\nmaterial = {}\n", table, quoted(m.name));
+  return fmt::format(
+      "\n[{}]\ndensity_kg_m3 = {:.9g}\nyoungs_modulus_Pa = {:.9g}\npoissons_ratio = {:.9g}\n",
+      table, m.density_kg_m3, m.youngs_modulus_Pa, m.poissons_ratio);
+}
+
+std::string effect_text(const Candidate& c, const EffectChoice& choice) {
+  std::string text = fmt::format("\n[effect.{}]\n", choice.name);
+  const auto& known = models::find_effect(choice.name).info->parameters;
+  for (std::size_t i = 0; i < known.size(); ++i) {
+    const ParameterEstimate* p = c.find(known[i].name);
+    const bool held = p != nullptr && p->role == ParameterEstimate::Role::held;
+    const std::string comment = p == nullptr ? "  # the measurements have it row by row"
+                                : held       ? "  # typical: the data do not determine it"
+                                : p->role == ParameterEstimate::Role::fitted ? "  # fitted"
+                                                                             : "";
+    text += fmt::format("{} = {:.6g}{}\n", known[i].name, choice.parameters[i], comment);
+  }
+  return text;
+}
+
+std::string kat_text(const KatOptions& o) {
+  std::string text = fmt::format(
+      "\n[kat]\nwall = \"{}\"\nframe = \"{}\"\nrestitution = {:.9g}\nparticles = {}\nresolution = "
+      "{:.9g}\n",
+      o.mesh_wall ? "mesh" : "primitive", o.moving_frame ? "moving" : "plate", o.restitution,
+      o.particles, o.resolution);
+  // The default depends on the effects: only another choice is kept.
+  const double dt = o.time_step_rayleigh;
+  if (dt != KatOptions{}.time_step_rayleigh && dt != kRateDependentTimeStep)
+    text += fmt::format("time_step_rayleigh = {:.9g}\n", dt);
+  if (o.diameter_range_um) {
+    text += fmt::format("diameter_range_um = [{:.9g}, {:.9g}]\n", o.diameter_range_um->first,
+                        o.diameter_range_um->second);
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string study_text(const Study& study, const Candidate& c, const fs::path& file) {
+  std::vector<std::string> names;
+  for (const EffectChoice& e : c.hypothesis.effects) names.push_back(quoted(e.name));
+  std::string text =
+      fmt::format("# {} with {}, written by powderlink add\n[study]\nname = {}\nexperiment = {}\n",
+                  study.name, fmt::join(c.added, ", "),
+                  quoted(study.name + "+" + fmt::format("{}", fmt::join(c.added, "+"))),
+                  quoted(study.experiment));
+  std::vector<std::string> tables;
+  for (const fs::path& table : study.measurements) {
+    const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
+    tables.push_back(quoted(fs::proximate(table, folder).generic_string()));
+  }
+  text += tables.size() == 1 ? "measurements = " + tables.front() + "\n"
+                             : fmt::format("measurements = [{}]\n", fmt::join(tables, ", "));
+  text += material_text("particle", study.particle) + material_text("substrate", study.substrate);
+  text += fmt::format("\n[model]\neffects = [{}]\n", fmt::join(names, ", "));
+  for (const EffectChoice& e : c.hypothesis.effects) text += effect_text(c, e);
+  text += "\n[fit]\n";
+  if (!study.rows.front().adhesive_energy_J_m2) {
+    text += study.adhesive_energy.fixed()
+                ? fmt::format("adhesive_energy_J_m2 = {:.9g}\n", study.adhesive_energy.lower_J_m2)
+                : fmt::format("adhesive_energy_J_m2 = [{:.9g}, {:.9g}]  # fitted: {:.6g}\n",
+                              study.adhesive_energy.lower_J_m2, study.adhesive_energy.upper_J_m2,
+                              c.hypothesis.adhesive_energy_J_m2);
+  }
+  text += fmt::format("model_discrepancy = {:.9g}\n", study.model_discrepancy);
+  return text + kat_text(study.kat);
+}
+
+}  // namespace powderlink::analysis

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/report/typeset.h"
+
+#include <cctype>
+#include <regex>
+
+namespace powderlink::analysis {
+
+std::string typeset(std::string text) {
+  static const std::pair<std::regex, const char*> signs[] = {
+      {std::regex(R"(\bchi\^2)"), "χ²"},
+      {std::regex(R"(\bdelta BIC)"), "ΔBIC"},
+      {std::regex(R"(\^2\b)"), "²"},
+      {std::regex(R"(\^3\b)"), "³"},
+      {std::regex(R"(\bum\b)"), "µm"},
+      {std::regex(R"(\bus\b)"), "µs"},
+      {std::regex(R"(([0-9]) %)"), "$1\u00a0%"}};
+  for (const auto& [pattern, sign] : signs) text = std::regex_replace(text, pattern, sign);
+  return text;
+}
+
+std::string sentence(const std::string& text) {
+  std::string s = typeset(text);
+  if (s.empty()) return s;
+  const std::string first = s.substr(0, s.find_first_of(" :,"));
+  if (first.find('_') == std::string::npos)
+    s[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(s[0])));
+  if (std::string(".!?").find(s.back()) == std::string::npos) s += '.';
+  return s;
+}
+
+std::vector<std::string> parts(const std::string& text) {
+  std::vector<std::string> list;
+  std::size_t from = 0;
+  for (std::size_t to = 0; (to = text.find("; ", from)) != std::string::npos; from = to + 2)
+    list.push_back(text.substr(from, to - from));
+  list.push_back(text.substr(from));
+  return list;
+}
+
+}  // namespace powderlink::analysis

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file psd_cutoff.h
+/// The sample had no grain larger than d_max, so no larger critical diameter can be seen.
+///
+///   d_observed = min(d_c, d_max)
+///
+/// Symbols: d_c critical diameter of the contact, d_max largest grain of the sample [um].
+/// Validity: d_c is read as the largest grain that stayed. Nothing changes in the contact: DEM has
+/// no use for it, studies apply it to what LIGGGHTS finds.
+/// Source: definition; sieve cuts and size distributions of the powder.
+/// Tests: tests/models/effects_test.cpp
+#ifdef POWDERLINK_EFFECT
+POWDERLINK_EFFECT(psd_cutoff, PsdCutoff)
+#else
+#ifndef POWDERLINK_MODELS_EFFECTS_PSD_CUTOFF_H
+#define POWDERLINK_MODELS_EFFECTS_PSD_CUTOFF_H
+
+#include <cmath>
+
+#include "models/effect.h"
+
+namespace powderlink::models {
+
+class PsdCutoff : public Effect {
+ public:
+  static const EffectInfo& info() {
+    static const EffectInfo i{"psd_cutoff",
+                              "(measurement) no grain larger than d_max was in the sample",
+                              "flat at low v, then -1.2",
+                              {{"d_max_um", std::numeric_limits<double>::infinity(), 100.0, 1.0,
+                                1000.0, 5.0, 500.0, "powders of this method, 5 to 500 um"}},
+                              "sieve a sample with larger grains: the flat part must rise"};
+    return i;
+  }
+
+  explicit PsdCutoff(const std::vector<double>& p) : largest_m_(p.at(0) * 1e-6) {
+    require_range(info(), 0, p[0]);
+  }
+
+  bool of_measurement() const override { return true; }
+  double observed_diameter_m(double critical_diameter) const override {
+    return std::fmin(critical_diameter, largest_m_);
+  }
+
+ private:
+  double largest_m_;
+};
+
+}  // namespace powderlink::models
+#endif
+#endif
