@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "analysis/evidence/verdict_words.h"
 #include "models/effect_registry.h"
@@ -195,7 +196,9 @@ Diagnosis diagnose(const Study& study, const Observations& observations) {
       }
       const bool single = enough.front()->added.size() == 1;
       if (single && !enough.front()->plausible) {
-        const double within = enough.front()->bic + kPlausibleWithin;
+        // With an assumed noise BIC itself is uncertain: any plausible one that suffices is named.
+        const double within = noise.known() ? enough.front()->bic + kPlausibleWithin
+                                            : std::numeric_limits<double>::infinity();
         const auto plausible = std::find_if(enough.begin(), enough.end(), [&](const Candidate* c) {
           return c->plausible && c->bic < within;
         });

@@ -9,7 +9,7 @@
 ///    most twice that noise.
 /// 3. The best that suffices is named alone, `missing_effect`, when it leads every other one that
 ///    suffices by kApart, is not at a bound, no foreign pattern (patterns.h) leads it by kApart, and it is
-///    plausible or no plausible one that suffices is within 4 of BIC. Otherwise `ambiguous`; all that cannot
+///    plausible or no plausible one that suffices is within 4 of BIC (with an assumed noise: at all). Otherwise `ambiguous`; all that cannot
 ///    be told apart are named, and with an implausible leader that plausible one, which then is `best`.
 /// 4. When none suffices, pairs are tried. A pair that does makes `ambiguous`: so many parameters
 ///    prove little. Else `unexplained`.

@@ -187,9 +187,17 @@ void check_plastic_contact() {
 }
 
 void check_psd_cutoff() {
-  const auto e = make_effect("psd_cutoff", {60.0});
-  EXPECT_EQ(e->observed_diameter_m(45e-6), 45e-6);
-  EXPECT_NEAR(e->observed_diameter_m(90e-6), 60e-6, kRounding * 60e-6);
+  const double q = 6.0;
+  const auto e = make_effect("psd_cutoff", {60.0, q});
+  for (const double d : {20e-6, 59e-6, 60e-6, 200e-6}) {
+    const double seen = e->observed_diameter_m(d);
+    const double sum = std::pow(d / seen, -q) + std::pow(60e-6 / seen, -q);
+    EXPECT_NEAR(sum, 1.0, 1e-9) << d;
+  }
+  // A sharp cut is the smaller of the two.
+  const auto sharp = make_effect("psd_cutoff", {60.0, kInfinity});
+  EXPECT_EQ(sharp->observed_diameter_m(45e-6), 45e-6);
+  EXPECT_NEAR(sharp->observed_diameter_m(90e-6), 60e-6, kRounding * 60e-6);
   EXPECT_TRUE(e->of_measurement());
   EXPECT_EQ(e->adhesion_factor(kRadius), 1.0);
 }
@@ -246,7 +254,8 @@ bool ends_with_unit(const std::string& name) {
 }
 
 TEST(EffectRegistry, InfosAreComplete) {
-  const std::set<std::string> dimensionless = {"plate_restitution", "exponent", "log_std"};
+  const std::set<std::string> dimensionless = {"plate_restitution", "exponent", "log_std",
+                                               "cut_sharpness"};
   for (const EffectEntry& entry : effect_registry()) {
     SCOPED_TRACE(entry.info->name);
     EXPECT_EQ(entry.info->name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_"),
