@@ -11,7 +11,9 @@ low = from_z > STATS_min ? from_z : STATS_min
 high = to_z < STATS_max ? to_z : STATS_max
 fit_kPa(z_mm) = z_mm >= 1e3*low && z_mm <= 1e3*high ? 1e-3*(intercept - slope*1e-3*z_mm) : NaN
 set samples 1000
-set offsets graph 0.04, graph 0.04, graph 0.06, 0  # no point on the frame
+set xrange [* < 0 : *]
+set autoscale xfixmax
+set offsets 0, graph 0.03, graph 0.06, 0  # no point on the frame
 slope_text = abs(slope) >= 1000 ? sprintf("%.0f", slope) : sprintf("%.4g", slope)
 if (slope != 0) {
   plot table using (1e3*column('z_m')):(1e-3*column('pressure_Pa')) with points linestyle 3 title "probes", \
