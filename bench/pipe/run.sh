@@ -88,8 +88,9 @@ stock() {  # name, program, steps
     (cd "$from" && reconstructPar -time 0.002 -fields '(U)' >log.reconstructPar)
   fi
   LC_ALL=C sed 's/object  *U;/object      U.air;/' "$fields/U" >0/U.air
+  # LIGGGHTS deletes grains at the next rebuild of its lists after the outlet: not those beyond it.
   awk '
-    grains { grain[++n] = sprintf("(%s %s %s) (%s %s %s) %.9g 7950 1e-9", $3, $4, $5, $6, $7, $8, 2*$12) }
+    grains && $5 < 0.29998 { grain[++n] = sprintf("(%s %s %s) (%s %s %s) %.9g 7950 1e-9", $3, $4, $5, $6, $7, $8, 2*$12) }
     /^ITEM: ATOMS/ { grains = 1 }
     END {
       print "FoamFile\n{\n    version 2.0;\n    format ascii;\n    class dictionary;\n    object grains;\n}\n"
