@@ -46,6 +46,7 @@ std::string Noise::text() const {
       fmt::format(" and {:.2g} % for the model's own form", 100.0 * discrepancy);
   switch (origin) {
     case Origin::stated:
+      if (relative == 0.0) return "binomial counts and the noise of speeds";
       return fmt::format("noise of the table ({:.2g} % on average){}", 100.0 * relative, form);
     case Origin::replicates:
       return fmt::format("noise of {:.2g} % from repeated drops ({:g} degrees of freedom){}",

@@ -119,6 +119,7 @@ double rank_p_value(const std::vector<double>& x, const std::vector<double>& res
 
 double runs_p_value(const std::vector<double>& x, const std::vector<double>& residuals) {
   const std::size_t n = x.size();
+  if (!spread(x)) return 1.0;
   std::vector<std::size_t> order(n);
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(),

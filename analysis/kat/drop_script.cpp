@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "models/adhesive_contact.h"
 #include "models/effect_registry.h"
 #include "models/kat_theory.h"
 #include "models/rayleigh_time.h"
@@ -41,8 +42,13 @@ Layout layout(const DropScript& d) {
                            d.work_of_adhesion_J_m2);
   double range = 0.0;
   double tear_off_gaps = kTearOffGaps;
+  double tear_off_m = -law.tear_off_overlap_m(radius);
   for (const EffectChoice& choice : d.effects) {
     const auto effect = models::make_effect(choice.name, choice.parameters);
+    for (const double at : {0.5 * d.smallest_diameter_m, radius}) {
+      const models::AdhesiveContact contact(law, {effect.get()});
+      tear_off_m = std::max(tear_off_m, -contact.law(at).tear_off_overlap_m(at));
+    }
     if (const auto stop = effect->stop()) l.stop = *stop;
     if (effect->rate_dependent()) tear_off_gaps = kTearOffGapsRate;
     if (std::isfinite(effect->range_m(radius))) range = std::max(range, effect->range_m(radius));
@@ -61,8 +67,7 @@ Layout layout(const DropScript& d) {
   if (d.options.moving_frame) {  // a rebounding plate comes back and goes on upwards
     l.top_m += kFlightReserve * l.stop.rebound() * d.impact_velocity_m_s * duration;
   }
-  l.skin_m = std::max({kSkin * d.smallest_diameter_m,
-                       -tear_off_gaps * law.tear_off_overlap_m(radius), 2.0 * range});
+  l.skin_m = std::max({kSkin * d.smallest_diameter_m, tear_off_gaps * tear_off_m, 2.0 * range});
   l.dump_every = std::max(1L, std::lround(duration / l.time_step_s / kPictures));
   return l;
 }

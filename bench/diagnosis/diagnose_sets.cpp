@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// diagnose_sets FOLDER [JOBS]: `powderlink diagnose` for every study of FOLDER/truth.csv in one
-// process; writes FOLDER/verdicts.csv and prints the confusion matrix and the rates of
-// docs/diagnosis.md.
+// diagnose_sets FOLDER [JOBS [--check]]: `powderlink diagnose` for every study of FOLDER/truth.csv in
+// one process; writes FOLDER/verdicts.csv and prints the confusion matrix and the rates of
+// docs/diagnosis.md. --check: status 1 when a rate is below its target by more than chance allows.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 #include <atomic>
+#include <boost/math/distributions/binomial.hpp>
 #include <cstdio>
 #include <filesystem>
 #include <map>
@@ -57,7 +58,15 @@ Outcome examine(const std::filesystem::path& study_file) {
   return o;
 }
 
-void print(const std::vector<Outcome>& outcomes) {
+/// False when `hits` of `all` would be this few with a chance below one in a thousand if the true rate
+/// were the target.
+bool reaches(double target, int hits, int all) {
+  constexpr double by_chance = 1e-3;
+  return all == 0 || boost::math::cdf(boost::math::binomial(all, target), hits) > by_chance;
+}
+
+/// Returns whether all rates reach their targets.
+bool print(const std::vector<Outcome>& outcomes) {
   std::vector<std::string> rows;
   std::set<std::string> answers;
   std::map<std::string, std::map<std::string, int>> counts;
@@ -79,7 +88,9 @@ void print(const std::vector<Outcome>& outcomes) {
   }
   fmt::print("{}\n", table.text());
 
-  const auto rate = [&](const char* what, auto counted, auto hit) {
+  bool good = true;
+  // target: of the hits, or, where it is negative, of what is not hit.
+  const auto rate = [&](const char* what, double target, auto counted, auto hit) {
     int all = 0;
     int hits = 0;
     for (const Outcome& o : outcomes) {
@@ -88,28 +99,32 @@ void print(const std::vector<Outcome>& outcomes) {
       hits += hit(o) ? 1 : 0;
     }
     if (all > 0) fmt::print("{:62} {:4} of {:4}  {:5.1f} %\n", what, hits, all, 100.0 * hits / all);
+    good = good &&
+           (target >= 0.0 ? reaches(target, hits, all) : reaches(1.0 + target, all - hits, all));
   };
   const auto none = [](const Outcome& o) { return o.hidden == "none"; };
   const auto effect = [](const Outcome& o) { return o.hidden != "none" && !o.outside(); };
   const auto outside = [](const Outcome& o) { return o.outside(); };
-  rate("effect of the catalogue: first or not told apart from the first", effect,
+  rate("effect of the catalogue: first or not told apart from the first", 0.90, effect,
        [](const Outcome& o) { return o.named(); });
-  rate("effect of the catalogue: named alone", effect, [](const Outcome& o) { return o.alone(); });
-  rate("effect of the catalogue: another named alone", effect,
+  rate("effect of the catalogue: named alone", 0.75, effect,
+       [](const Outcome& o) { return o.alone(); });
+  rate("effect of the catalogue: another named alone", -0.10, effect,
        [](const Outcome& o) { return o.verdict == "missing_effect" && !o.alone(); });
-  rate("nothing hidden: false alarm", none,
+  rate("nothing hidden: false alarm", -0.03, none,
        [](const Outcome& o) { return o.verdict != "no_missing_effect"; });
-  rate("outside the catalogue: unexplained or ambiguous", outside,
+  rate("outside the catalogue: unexplained or ambiguous", 0.80, outside,
        [](const Outcome& o) { return o.verdict == "unexplained" || o.verdict == "ambiguous"; });
-  rate("outside the catalogue: an effect named alone", outside,
+  rate("outside the catalogue: an effect named alone", -0.01, outside,
        [](const Outcome& o) { return o.verdict == "missing_effect"; });
+  return good;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
   if (argc < 2) {
-    std::fprintf(stderr, "diagnose_sets FOLDER [JOBS]\n");
+    std::fprintf(stderr, "diagnose_sets FOLDER [JOBS [--check]]\n");
     return 2;
   }
   try {
@@ -142,7 +157,8 @@ int main(int argc, char** argv) {
                           o.best, fmt::join(o.indistinguishable, " "), o.detail);
     }
     write_file(folder / "verdicts.csv", text);
-    print(outcomes);
+    const bool good = print(outcomes);
+    if (argc > 3 && std::string(argv[3]) == "--check") return good ? 0 : 1;
   } catch (const std::exception& e) {
     std::fprintf(stderr, "diagnose_sets: %s\n", e.what());
     return 1;

@@ -144,10 +144,13 @@ double JkrNormalModel::largest_stretch() const {
   }
   double ratio = 0.0;
   double gap = 0.0;
-  for (const JkrPair& pair : pairs_) {
-    // The gap over the radius is largest for the smallest sphere, the gap itself for the largest.
-    ratio = std::max(ratio, -pair.law.tear_off_overlap_m(smallest_radius) / smallest_radius);
-    gap = std::max(gap, -pair.law.tear_off_overlap_m(largest_radius));
+  for (std::size_t i = 0; i < pairs_.size(); ++i) {
+    // Effects may give small spheres more Gamma than large ones: both ends count.
+    for (const double radius : {smallest_radius, largest_radius}) {
+      const models::JkrLaw law = effects_.empty() ? pairs_[i].law : rough_contacts_[i].law(radius);
+      ratio = std::max(ratio, -law.tear_off_overlap_m(radius) / radius);
+      gap = std::max(gap, -law.tear_off_overlap_m(radius));
+    }
   }
   neighbor->register_contact_dist_factor(1.0 + kStretchMargin * rate * ratio);
   return rate * gap;

@@ -80,12 +80,32 @@ INSTANTIATE_TEST_SUITE_P(
     All, KatLiggghtsEffect,
     ::testing::Values(
         EffectCase{"finite_stop_pulse", "plate_restitution = 0.3", "0.09", 3.0, 2e-3},
+        EffectCase{"plastic_contact", "yield_pressure_Pa = 1e9", "20.0", 3.0, 2e-3},
         EffectCase{"surface_roughness", "asperity_radius_m = 1e-5", "50.0", 2.0, 2e-3},
         EffectCase{"capillary_bridge", "", "0.001", 0.3, 2e-3},
         EffectCase{"electrostatic_image_force", "surface_charge_C_m2 = 1e-4", "40.0", 3.0, 5e-3},
         // the edge's step is of first order in both, and coarser in LIGGGHTS
         EffectCase{"rate_dependent_adhesion", "v_star_m_s = 1.0", "10.0", 2.0, 1e-2}),
     [](const auto& info) { return std::string(info.param.effect); });
+
+TEST(KatLiggghts, TheErrorFallsWithTheEffectAdded) {
+  const TestFolder folder;
+  const std::string zafar = POWDERLINK_CASES "/zafar2014/study.toml";
+  const std::string study = (folder.path() / "study.toml").string();
+  const std::string json = (folder.path() / "compare.json").string();
+  const auto error = [&](const std::string& arguments) {
+    const CommandResult r = powderlink("compare " + arguments + " --json " + json);
+    EXPECT_EQ(r.status, 0) << r.err;
+    return nlohmann::json::parse(read_file(json)).at("rms_relative_error").get<double>();
+  };
+  const double before = error(zafar);
+  ASSERT_EQ(powderlink("add " + zafar + " finite_stop_pulse -o " + study).status, 0);
+  const std::string dem = study + " --backend dem --out " + (folder.path() / "out").string();
+  const double after = error(dem);
+  EXPECT_LT(after, before / 4.0);
+  EXPECT_NEAR(after, error(study), 2e-3) << "LIGGGHTS and the reduced model, bracket 2e-3";
+  EXPECT_EQ(error(dem), after) << "runs are reused";
+}
 
 TEST(KatLiggghts, MovingMeshAndPlateFrameAgree) {
   const TestFolder folder;

@@ -66,6 +66,8 @@ const BadCase cases[] = {
     {"negative_size", "range 30e-6", "range -30e-6", "diameter"},
     {"no_wall", "wall plate plate", "wall nothing plate", "plate"},
     {"unknown_effect", "fix integrate", "fix e all adhesion/effect magic\nfix integrate", "effect"},
+    {"effect_of_the_measurement", "fix integrate",
+     "fix e all adhesion/effect psd_cutoff 60 8\nfix integrate", "belongs to the measurement"},
     {"gravity_twice", "fix integrate", "fix g all gravity 9.81 vector 0 0 -1\nfix integrate",
      "gravity"},
     {"box_too_small", "-4e-4 4e-4 -4e-4", "-5e-5 5e-5 -4e-4", "box"},
