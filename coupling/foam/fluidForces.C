@@ -268,7 +268,7 @@ void Foam::fluidForces::evaluate
     }
 
     tmp<volTensorField> tgradU;
-    if (needsViscousStress_ || needsCurl_ || needsAcceleration_)
+    if (needsVelocityGradient())
     {
         tgradU = fvc::grad(U);
     }

@@ -6,6 +6,7 @@
 #include "addToRunTimeSelectionTable.H"
 #include "turbulentTransportModel.H"
 #include "fvcDdt.H"
+#include "fvcGrad.H"
 #include "writtenFiles.H"
 #include "zeroGradientFvPatchFields.H"
 
@@ -241,11 +242,16 @@ Foam::scalar Foam::bridgeMomentum::timeToExchange() const
 
 bool Foam::bridgeMomentum::startStep()
 {
-    timer_.lap(couplingTimer::fluid);
     if (clock_.remaining() > 0)
     {
         return true;
     }
+    if (forces_.needsVelocityGradient() && mesh_.cache("grad(U)"))
+    {
+        // Work of the fluid: its momentum equation takes the same gradient
+        fvc::grad(U_);
+    }
+    timer_.lap(couplingTimer::fluid);
 
     const bool goesOn = link_.receiveParticles();
     timer_.lap(couplingTimer::wait);
