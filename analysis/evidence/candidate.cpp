@@ -76,6 +76,7 @@ void define_residuals(Setting& s, const Study& study, const Observations& observ
   };
   s.problem.prior = [slots = s.slots](const std::vector<double>& values) {
     std::vector<double> r;
+    r.reserve(slots.size());
     for (std::size_t j = 0; j < slots.size(); ++j) r.push_back(decades_off(values[j], slots[j]));
     return r;
   };
@@ -161,6 +162,7 @@ std::pair<std::vector<double>, double> suit_energy(const Setting& s, const Obser
 
 std::vector<double> grid_of(const FitParameter& p, double from, double to, int points) {
   std::vector<double> grid;
+  grid.reserve(static_cast<std::size_t>(points));
   const double low = p.to_coordinate(std::clamp(from, p.lower, p.upper));
   const double high = p.to_coordinate(std::clamp(to, p.lower, p.upper));
   for (int i = 0; i < points; ++i)

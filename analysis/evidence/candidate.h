@@ -12,7 +12,7 @@
 /// k counts the parameters that the data need: one of an added effect that may as well keep its
 /// typical value (BIC is not higher then) is held there and said to be undetermined.
 /// Symbols: n rows. Source: G. Schwarz, Ann. Statist. 6 (1978) 461.
-/// Tests: tests/analysis/evidence_fit_test.cpp
+/// Tests: tests/analysis/study_fit_test.cpp
 #pragma once
 
 #include <string>

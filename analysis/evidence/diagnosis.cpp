@@ -16,7 +16,6 @@ namespace {
 
 constexpr double kSameAsBaseline = 1e-6;   // relative: the effect cannot be seen
 constexpr double kPlausibleWithin = 4.0;   // of BIC
-constexpr double kPatternLeads = kApart;   // of BIC
 constexpr std::size_t kPairsFromBest = 3;  // pairs are made of these and all others
 
 void require_rows(const Study& study) {
@@ -207,8 +206,8 @@ Diagnosis diagnose(const Study& study, const Observations& observations) {
           leading.push_back(*plausible);
         }
       }
-      const bool foreign = pattern != nullptr && pattern_bic(*pattern, observations) <
-                                                     enough.front()->bic - kPatternLeads;
+      const bool foreign =
+          pattern != nullptr && pattern_bic(*pattern, observations) < enough.front()->bic + kApart;
       d.verdict = single && leading.size() == 1 && !enough.front()->at_bound() && !foreign
                       ? Verdict::missing_effect
                       : Verdict::ambiguous;

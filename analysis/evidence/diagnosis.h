@@ -8,7 +8,7 @@
 ///    pass and it clears the baseline by kClears of BIC. With an assumed noise "pass" is an rms of at
 ///    most twice that noise.
 /// 3. The best that suffices is named alone, `missing_effect`, when it leads every other one that
-///    suffices by kApart, is not at a bound, no foreign pattern (patterns.h) leads it by kApart, and it is
+///    suffices by kApart, is not at a bound, it leads foreign patterns (patterns.h) as well, and it is
 ///    plausible or no plausible one that suffices is within 4 of BIC (with an assumed noise: at all). Otherwise `ambiguous`; all that cannot
 ///    be told apart are named, and with an implausible leader that plausible one, which then is `best`.
 /// 4. When none suffices, pairs are tried. A pair that does makes `ambiguous`: so many parameters

@@ -101,6 +101,7 @@ std::vector<double> velocities_around(const Study& study) {
   const double low = std::log(slowest->impact_velocity_m_s / kAround);
   const double high = std::log(fastest->impact_velocity_m_s * kAround);
   std::vector<double> v;
+  v.reserve(kPoints);
   for (int i = 0; i < kPoints; ++i) v.push_back(std::exp(low + (high - low) * i / (kPoints - 1)));
   return v;
 }
@@ -117,6 +118,7 @@ PredictedCurve predicted_curve(const Study& study, const Candidate& c,
     const KatRow row = row_at(study, v);
     const double d = predicted_diameter_um(study, c.hypothesis, row);
     std::vector<double> slope;
+    slope.reserve(k);
     for (const Hypothesis& h : shifted)
       slope.push_back(std::log(predicted_diameter_um(study, h, row) / d) / kStep);
     double variance = 0.0;

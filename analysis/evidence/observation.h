@@ -12,7 +12,7 @@
 /// sigma^2 = noise^2 + discrepancy^2. The discrepancy is what the model's own form may be off when
 /// every effect is right (the shape of a pulse, the force law of a bridge): stated, not fitted.
 /// Noise: of the table; else of rows that repeat a drop; else assumed, and then chi^2 is no test.
-/// Units: um, m/s. Tests: tests/analysis/evidence_fit_test.cpp
+/// Units: um, m/s. Tests: tests/analysis/study_fit_test.cpp, tests/analysis/retention_test.cpp
 #pragma once
 
 #include <string>

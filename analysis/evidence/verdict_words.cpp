@@ -104,7 +104,7 @@ std::vector<std::string> verdict_words(const Study& study, const Observations& o
     const double bic =
         score(observations, pattern->chi2) +
         pattern->parameters * std::log(static_cast<double>(observations.list.size()));
-    const bool rival = d.best.empty() || bic < d.get(d.best).bic;
+    const bool rival = d.best.empty() || bic < d.get(d.best).bic + kApart;
     if (rival && bic < none.bic - kClears) {
       words.push_back("what an effect would have to explain: " + pattern->text +
                       " against the baseline, which no effect of the catalogue makes");

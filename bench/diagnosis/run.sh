@@ -5,7 +5,7 @@
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 sets=${1:-40}
-seed=${2:-2026}
+seed=${2:-2027}
 folder=${3:-$root/results/diagnosis}
 "$root/scripts/build.sh" release make_diagnosis_sets
 "$root/scripts/build.sh" release diagnose_sets
