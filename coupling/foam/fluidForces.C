@@ -71,7 +71,7 @@ void Foam::fluidForces::need(const std::string& field)
             << "    allowed: pressure_gradient_Pa_m,"
             << " viscous_stress_divergence_N_m3, velocity_curl_1_s,"
             << " acceleration_m_s2, gravity_m_s2" << nl
-            << "    to do:   make it in fluidForces::evaluate" << nl
+            << "    to do:   make it in fluidForces::interpolate" << nl
             << abort(FatalError);
     }
 }
@@ -243,28 +243,26 @@ Foam::wordList Foam::fluidForces::chosen(const dictionary& dict)
 }
 
 
-void Foam::fluidForces::evaluate
+Foam::fluidForces::fluidRows Foam::fluidForces::interpolate
 (
     const fluidFields& fluid,
     const fluidInterpolation& interpolation,
-    const particleRows& particles,
-    const scalar minFluidFraction,
-    forceRows& rows
+    const scalar minFluidFraction
 ) const
 {
     const volVectorField& U = fluid.U;
 
-    rows.fluidVelocity = interpolation.interpolate(U);
-    rows.fluidFraction = max
+    fluidRows rows;
+    rows.velocity = interpolation.interpolate(U);
+    rows.fraction = max
     (
         minFluidFraction,
         min(scalar(1), interpolation.interpolate(fluid.alphaf))
     );
-
-    vectorField gradP, divTau, curl, acceleration;
     if (needsPressureGradient_)
     {
-        gradP = properties_.rho*interpolation.interpolate(fvc::grad(fluid.p)());
+        rows.pressureGradient =
+            properties_.rho*interpolation.interpolate(fvc::grad(fluid.p)());
     }
 
     tmp<volTensorField> tgradU;
@@ -274,7 +272,7 @@ void Foam::fluidForces::evaluate
     }
     if (needsViscousStress_)
     {
-        divTau =
+        rows.stressDivergence =
             properties_.rho
            *interpolation.interpolate
             (
@@ -283,19 +281,31 @@ void Foam::fluidForces::evaluate
     }
     if (needsCurl_)
     {
-        curl = interpolation.interpolate
+        rows.curl = interpolation.interpolate
         (
             volVectorField("curlU", 2*(*skew(tgradU())))
         );
     }
     if (needsAcceleration_)
     {
-        acceleration = interpolation.interpolate
+        rows.acceleration = interpolation.interpolate
         (
             volVectorField("DUDt", *fluid.ddtU + (U & tgradU()))
         );
     }
+    return rows;
+}
 
+
+void Foam::fluidForces::evaluate
+(
+    const fluidRows& fluid,
+    const particleRows& particles,
+    forceRows& rows
+) const
+{
+    rows.fluidVelocity = fluid.velocity;
+    rows.fluidFraction = fluid.fraction;
     const label n = rows.fluidVelocity.size();
     resize(n, rows);
 
@@ -308,23 +318,23 @@ void Foam::fluidForces::evaluate
 
     for (label i = 0; i < n; ++i)
     {
-        f.velocity_m_s = toVec3(rows.fluidVelocity[i]);
-        f.fluid_fraction = rows.fluidFraction[i];
+        f.velocity_m_s = toVec3(fluid.velocity[i]);
+        f.fluid_fraction = fluid.fraction[i];
         if (needsPressureGradient_)
         {
-            f.pressure_gradient_Pa_m = toVec3(gradP[i]);
+            f.pressure_gradient_Pa_m = toVec3(fluid.pressureGradient[i]);
         }
         if (needsViscousStress_)
         {
-            f.viscous_stress_divergence_N_m3 = toVec3(divTau[i]);
+            f.viscous_stress_divergence_N_m3 = toVec3(fluid.stressDivergence[i]);
         }
         if (needsCurl_)
         {
-            f.velocity_curl_1_s = toVec3(curl[i]);
+            f.velocity_curl_1_s = toVec3(fluid.curl[i]);
         }
         if (needsAcceleration_)
         {
-            f.acceleration_m_s2 = toVec3(acceleration[i]);
+            f.acceleration_m_s2 = toVec3(fluid.acceleration[i]);
         }
         p.velocity_m_s = toVec3(particles.velocity[i]);
         p.spin_rad_s = toVec3(particles.spin[i]);
@@ -361,7 +371,7 @@ void Foam::fluidForces::evaluate
         rows.pressureForce[i] = toVector(pressure);
         if (hasTorque_)
         {
-            rows.fluidSpin[i] = 0.5*curl[i];
+            rows.fluidSpin[i] = 0.5*fluid.curl[i];
             rows.rotationalDrag[i] = all.rotational_drag_Nms;
             rows.fluidTorque[i] = toVector(all.torque_Nm);
         }

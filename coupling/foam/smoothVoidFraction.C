@@ -17,7 +17,7 @@ namespace Foam
     addToRunTimeSelectionTable(voidFraction, smoothVoidFraction, dictionary);
 
     // What may leave a cell in one sweep
-    static const scalar maxLeaving = 0.5;
+    static const scalar maxLeaving = 2.0/3.0;
 
     // A length of about 40 cells: beyond, the mesh is not meant for it
     static const label maxSweeps = 2000;

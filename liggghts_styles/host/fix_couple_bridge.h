@@ -83,6 +83,7 @@ class FixCoupleBridge : public LAMMPS_NS::Fix {
   void move(int i);
   void hold(int i);
   void find_held_atoms();
+  std::vector<int> nearest_lenders(const std::vector<int>& newcomers) const;
   void borrow_values(const std::vector<int>& newcomers);
   void set_step(int i);
   void scale_forces();

@@ -155,8 +155,8 @@ TEST(FluidForces, AreThoseOfTheLawsAtTheFieldsOfTheFluid) {
     EXPECT_EQ(all.needsViscousStress(), model_a);
     EXPECT_TRUE(all.needsAcceleration());
     Foam::fluidForces::forceRows rows;
-    all.evaluate({*U, *p, *alphaf, nu.get(), ddtU.get()}, at(),
-                 {some.vectors, spin, some.radii, density}, 0.2, rows);
+    all.evaluate(all.interpolate({*U, *p, *alphaf, nu.get(), ddtU.get()}, at(), 0.2),
+                 {some.vectors, spin, some.radii, density}, rows);
 
     forces::ForceSettings settings;
     settings.model = model_a ? forces::MomentumModel::A : forces::MomentumModel::B;
@@ -222,8 +222,8 @@ TEST(FluidForces, ViscousStressOfAParabolicProfile) {
                              properties(true));
     EXPECT_FALSE(stress.needsAcceleration());
     Foam::fluidForces::forceRows rows;
-    stress.evaluate({*U, *p, *one, nu.get(), nullptr}, at(), {zero, zero, some.radii, density}, 0.2,
-                    rows);
+    stress.evaluate(stress.interpolate({*U, *p, *one, nu.get(), nullptr}, at(), 0.2),
+                    {zero, zero, some.radii, density}, rows);
     forAll(some.cells, i) {
       const double volume = 4.0 / 3.0 * M_PI * Foam::pow3(some.radii[i]);
       const double force = 2.0 * c * kNu * kRho * volume;
@@ -271,8 +271,8 @@ TEST(FluidForces, TheFluidFractionAtAParticleIsBounded) {
   at->set(some.positions, some.cells);
   Foam::fluidForces drag(dictionary_of("forces (beetstra);"), properties(true));
   Foam::fluidForces::forceRows rows;
-  drag.evaluate({*U, *p, *dense, nullptr, nullptr}, at(), {zero, zero, some.radii, density}, 0.3,
-                rows);
+  drag.evaluate(drag.interpolate({*U, *p, *dense, nullptr, nullptr}, at(), 0.3),
+                {zero, zero, some.radii, density}, rows);
   forAll(some.cells, i) EXPECT_EQ(rows.fluidFraction[i], 0.3);
 }
 

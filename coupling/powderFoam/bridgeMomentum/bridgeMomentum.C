@@ -63,14 +63,14 @@ void Foam::bridgeMomentum::evaluateForces()
         nuEff.valid() ? &nuEff() : nullptr,
         ddtU_.valid() ? &ddtU_() : nullptr
     };
-    forces_.evaluate
+    const fluidForces::fluidRows atParticles
     (
-        fluid,
-        interpolation_(),
-        particles_.rows(),
-        settings_.minFluidFraction,
-        rows_
+        forces_.interpolate(fluid, interpolation_(), settings_.minFluidFraction)
     );
+    timer_.lap(couplingTimer::interpolation);
+
+    forces_.evaluate(atParticles, particles_.rows(), rows_);
+    timer_.lap(couplingTimer::forces);
 }
 
 
@@ -272,7 +272,6 @@ bool Foam::bridgeMomentum::startStep()
     timer_.lap(couplingTimer::sharing);
 
     evaluateForces();
-    timer_.lap(couplingTimer::forces);
 
     if (settings_.twoWay)
     {
@@ -336,7 +335,7 @@ void Foam::bridgeMomentum::endStep()
     if (answerIsDue_)
     {
         rows_.fluidVelocity = interpolation_->interpolate(U_);
-        timer_.lap(couplingTimer::forces);
+        timer_.lap(couplingTimer::interpolation);
         sendValues();
     }
 }

@@ -8,12 +8,13 @@
 void Foam::couplingTimer::print
 (
     const char* when,
-    const std::array<scalar, 6>& seconds
+    const std::array<scalar, nParts>& seconds
 )
 {
     Info<< "Wall time [s] " << when << ": search " << seconds[search]
         << ", fluid fraction and sources " << seconds[sharing]
-        << ", forces " << seconds[forces]
+        << ", interpolation " << seconds[interpolation]
+        << ", force laws " << seconds[forces]
         << ", exchange " << seconds[exchange]
         << ", fluid " << seconds[fluid]
         << ", waiting for the particles " << seconds[wait] << endl;
@@ -24,7 +25,7 @@ void Foam::couplingTimer::print
 
 void Foam::couplingTimer::reportInterval()
 {
-    std::array<scalar, 6> spent(seconds_);
+    std::array<scalar, nParts> spent(seconds_);
     for (std::size_t i = 0; i < spent.size(); ++i)
     {
         spent[i] -= reported_[i];
@@ -38,13 +39,14 @@ void Foam::couplingTimer::reportInterval()
 void Foam::couplingTimer::report() const
 {
     const scalar coupling =
-        seconds_[search] + seconds_[sharing] + seconds_[forces]
+        seconds_[search] + seconds_[sharing] + seconds_[interpolation]
       + seconds_[exchange];
-    const scalar all = coupling + seconds_[fluid];
+    const scalar all = coupling + seconds_[forces] + seconds_[fluid];
+    const scalar percent = 100/max(all, VSMALL);
 
     print("of the run", seconds_);
-    Info<< "coupling share: " << 100*coupling/max(all, VSMALL) << " %" << nl
-        << endl;
+    Info<< "coupling share: " << percent*coupling << " %, with force laws "
+        << percent*(coupling + seconds_[forces]) << " %" << nl << endl;
 }
 
 
