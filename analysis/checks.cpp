@@ -34,12 +34,17 @@ double require_velocity_m_s(double value, const std::string& where) {
 
 double require_diameter_um(double value, const std::string& where) {
   if (!(value >= kSmallest_um && value <= kLargest_um)) {
-    const double as_metres = value * 1e6;
-    const bool metres = as_metres >= kSmallest_um && as_metres <= kLargest_um;
-    throw InvalidInput(
-        where + ": diameter", number(value) + " um", "0.01 to 10000 um",
-        metres ? "were metres given where micrometres are meant? write " + number(as_metres)
-               : "give the diameter in micrometres, such as 46");
+    std::string to_do = "give the diameter in micrometres, such as 46";
+    const auto ask = [&](const char* unit, double as_um) {
+      if (as_um >= kSmallest_um && as_um <= kLargest_um) {
+        to_do = fmt::format("were {} given where micrometres are meant? write {:g}", unit, as_um);
+        return true;
+      }
+      return false;
+    };
+    ask("metres", value * 1e6) || ask("nanometres", value * 1e-3) ||
+        ask("values 1e6 times too large", value * 1e-6);
+    throw InvalidInput(where + ": diameter", number(value) + " um", "0.01 to 10000 um", to_do);
   }
   return value;
 }

@@ -97,6 +97,24 @@ KatRow::Kind kind_of(const CsvTable& table) {
                                                     : KatRow::Kind::critical_diameter;
 }
 
+/// A sigma in another unit than the diameter passes as a number, and would decide every verdict.
+void check_sigmas(const Measurements& m) {
+  constexpr double least = 1e-5;  // of the diameter: below what any microscope resolves
+  for (std::size_t i = 0; i < m.rows.size(); ++i) {
+    const KatRow& row = m.rows[i];
+    if (!row.critical_diameter_um || !row.critical_diameter_sigma_um) continue;
+    const double part = *row.critical_diameter_sigma_um / *row.critical_diameter_um;
+    if (part >= least && part < 1.0) continue;
+    throw InvalidInput(fmt::format("{}, line {}, column 'critical_diameter_sigma_um'", m.table.file,
+                                   m.table.rows[i].line),
+                       fmt::format("{:g} um of {:g} um", *row.critical_diameter_sigma_um,
+                                   *row.critical_diameter_um),
+                       "1e-5 of the diameter up to less than the diameter",
+                       part < least ? "were metres given where micrometres are meant?"
+                                    : "give one standard deviation in micrometres");
+  }
+}
+
 void check_counts(const Measurements& m) {
   for (std::size_t i = 0; i < m.rows.size(); ++i) {
     const KatRow& row = m.rows[i];
@@ -161,6 +179,7 @@ Measurements read_measurements(const std::filesystem::path& file) {
   }
   for (const std::string& name : m.unknown_columns) keep_numbers(m, name);
   check_counts(m);
+  check_sigmas(m);
   return m;
 }
 

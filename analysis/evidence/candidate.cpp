@@ -9,6 +9,7 @@
 #include <limits>
 #include <utility>
 
+#include "analysis/critical_diameter.h"
 #include "analysis/critical_speed.h"
 #include "analysis/units.h"
 #include "models/effect_registry.h"
@@ -44,6 +45,7 @@ struct Setting {
   Hypothesis hypothesis;
   std::vector<Slot> slots;
   FitProblem problem;
+  bool calibrated = false;  ///< estimates, corrected by the integration where the fit is
 };
 
 void apply(Hypothesis& h, const std::vector<Slot>& slots, const std::vector<double>& values) {
@@ -171,24 +173,95 @@ std::vector<double> grid_of(const FitParameter& p, double from, double to, int p
   return grid;
 }
 
+/// Every point of the grid with every value of one more coordinate.
+void append_axis(std::vector<std::vector<double>>& grid, const std::vector<double>& values) {
+  std::vector<std::vector<double>> product;
+  for (const auto& head : grid) {
+    for (const double v : values) {
+      product.push_back(head);
+      product.back().push_back(v);
+    }
+  }
+  grid = std::move(product);
+}
+
 bool diameters_only(const Study& study) {
   return std::all_of(study.rows.begin(), study.rows.end(), [](const KatRow& row) {
     return row.kind() == KatRow::Kind::critical_diameter;
   });
 }
 
-bool cheap(const Study& study, const Setting& s) {
+bool cheap(const Study& study, const Hypothesis& h) {
   for (const KatRow& row : study.rows) {
-    const ReducedModel model(row_setup(study, s.hypothesis.effects, row, 1.0));
-    if (!CriticalSpeed(model, s.hypothesis.estimated).available()) return false;
+    const ReducedModel model(row_setup(study, h.effects, row, 1.0));
+    if (!CriticalSpeed(model, h.estimated).available()) return false;
   }
   return true;
+}
+
+/// Hypothesis::correction at these values.
+std::map<double, double> correction_at(const Study& study, const Setting& s,
+                                       const std::vector<double>& values) {
+  constexpr double tolerance = 3e-4;  // of d_c
+  Hypothesis h = s.hypothesis;
+  apply(h, s.slots, values);
+  std::map<double, double> correction;
+  for (const KatRow& row : study.rows) {
+    const double v = row.impact_velocity_m_s;
+    if (row.kind() == KatRow::Kind::residual_speed || correction.count(v) > 0) continue;
+    const ReducedModel model(row_setup(study, h.effects, row,
+                                       row.adhesive_energy_J_m2.value_or(h.adhesive_energy_J_m2)));
+    const CriticalDiameter integrated = critical_diameter(model, v, tolerance);
+    const CriticalDiameter estimate = quick_critical_diameter(model, v, true);
+    const bool both = integrated.found() && estimate.found();
+    correction[v] = both ? std::log(integrated.diameter_m / estimate.diameter_m) : 0.0;
+  }
+  return correction;
+}
+
+/// Do corrected estimates change with Gamma as the integration does?
+bool follows_energy(const Study& study, const Setting& s, std::vector<double> values) {
+  constexpr double step = 0.1;       // of ln Gamma
+  constexpr double of_slope = 0.12;  // of dln d_c/dln Gamma, which is 0.5 to 1 where Gamma counts
+  if (s.slots.empty() || s.slots[0].effect >= 0) return true;
+  const FitParameter& p = s.problem.parameters[0];
+  values[0] *= std::exp(values[0] * std::exp(step) < p.upper ? step : -step);
+  const std::map<double, double> moved = correction_at(study, s, values);
+  return std::all_of(moved.begin(), moved.end(), [&](const auto& m) {
+    return std::fabs(m.second - s.hypothesis.correction.at(m.first)) < of_slope * step;
+  });
+}
+
+/// Least squares; with a calibrated setting until the estimates are those of the integration there, and
+/// by integration from there on when estimates do not follow it.
+FitSolution solve(Setting& s, const std::vector<std::vector<double>>& starts, const Study& study,
+                  const Observations& observations) {
+  constexpr int most_turns = 4;
+  constexpr double settled = 1e-3;  // of d_c: the accuracy of all that is quick
+  FitSolution solution = least_squares(s.problem, starts);
+  for (int turn = 0; s.calibrated && turn < most_turns; ++turn) {
+    const std::map<double, double> before = s.hypothesis.correction;
+    s.hypothesis.correction = correction_at(study, s, solution.values);
+    double change = before.empty() ? 1.0 : 0.0;
+    for (const auto& [v, was] : before)
+      change = std::max(change, std::fabs(s.hypothesis.correction.at(v) - was));
+    if (change < settled) break;
+    define_residuals(s, study, observations);
+    solution = least_squares(s.problem, solution.values);
+  }
+  if (s.calibrated && !follows_energy(study, s, solution.values)) {
+    s.calibrated = s.hypothesis.estimated = false;
+    s.hypothesis.correction.clear();
+    define_residuals(s, study, observations);
+    solution = least_squares(s.problem, solution.values);
+  }
+  return solution;
 }
 
 /// The best points of a grid over the effects' parameters.
 std::vector<std::vector<double>> searched_starts(const Study& study, const Setting& s,
                                                  const Observations& observations) {
-  const bool fast = cheap(study, s);
+  const bool fast = cheap(study, s.hypothesis);
   const int turns = fast ? 8 : 4;
   std::size_t scanned = 0;
   for (const Slot& slot : s.slots) scanned += slot.effect >= 0 ? 1 : 0;
@@ -202,14 +275,7 @@ std::vector<std::vector<double>> searched_starts(const Study& study, const Setti
     if (s.slots[j].effect < 0 && !diameters_only(study))
       values = grid_of(p, p.lower, p.upper, kEnergies);
     if (s.slots[j].effect >= 0) values = grid_of(p, p.lower, p.upper, p.logarithmic ? points : 2);
-    std::vector<std::vector<double>> next;
-    for (const auto& head : grid) {
-      for (const double v : values) {
-        next.push_back(head);
-        next.back().push_back(v);
-      }
-    }
-    grid = std::move(next);
+    append_axis(grid, values);
   }
   std::vector<std::pair<double, std::vector<double>>> found;
   for (const auto& values : grid) {
@@ -240,14 +306,7 @@ std::vector<std::vector<double>> near_starts(const Setting& s, const Observation
             p.logarithmic ? grid_of(p, p.lower, p.upper, points + 2) : std::vector<double>{p.start};
         if (p.logarithmic) values = {values.begin() + 1, values.end() - 1};
       }
-      std::vector<std::vector<double>> next;
-      for (const auto& head : grid) {
-        for (const double v : values) {
-          next.push_back(head);
-          next.back().push_back(v);
-        }
-      }
-      grid = std::move(next);
+      append_axis(grid, values);
     }
     for (const auto& values : grid) {
       auto [suited, chi2] = suit_energy(s, observations, values, 3);
@@ -278,12 +337,26 @@ void hold_what_is_not_needed(Setting& s, FitSolution& solution, const Study& stu
     FitSolution held =
         less.slots.empty()
             ? least_squares(less.problem, start)
-            : least_squares(less.problem, suit_energy(less, observations, start, 8).first);
+            : solve(less, {suit_energy(less, observations, start, 8).first}, study, observations);
     const double worse = score(observations, held.chi2) + held.prior -
                          score(observations, solution.chi2) - solution.prior;
     if (worse > per_parameter) continue;
     s = std::move(less);
     solution = std::move(held);
+  }
+}
+
+/// An implausible fit whose Gamma lies at a bound that the study set within the plausible range: with a
+/// wider bound it might look otherwise.
+void mark_bound_of_study(Candidate& c, const Study& study) {
+  constexpr double margin = 1.001;
+  const EnergyRange& bounds = study.adhesive_energy;
+  const bool implausible = std::any_of(c.parameters.begin(), c.parameters.end(),
+                                       [](const ParameterEstimate& p) { return !p.plausible(); });
+  if (!implausible || bounds.fixed() || bounds.upper_J_m2 >= kPlausibleEnergy_J_m2) return;
+  for (ParameterEstimate& p : c.parameters) {
+    if (p.effect.empty() && p.role == ParameterEstimate::Role::fitted)
+      p.at_bound = p.at_bound || p.value * margin >= bounds.upper_J_m2;
   }
 }
 
@@ -429,9 +502,16 @@ Candidate fit(const Study& study, const Observations& observations, Setting s,
   Candidate c;
   c.added = added;
   c.name = added.empty() ? "none" : fmt::format("{}", fmt::join(added, "+"));
+  // Effects on top of others: estimates are searched and corrected, as integrating takes minutes.
+  if (Hypothesis estimates = s.hypothesis; !estimates.estimated && !cheap(study, estimates)) {
+    estimates.estimated = true;
+    s.calibrated = cheap(study, estimates);
+    if (s.calibrated) s.hypothesis = estimates;
+    define_residuals(s, study, observations);
+  }
   const auto starts =
       near.empty() ? searched_starts(study, s, observations) : near_starts(s, observations, near);
-  c.solution = least_squares(s.problem, starts);
+  c.solution = solve(s, starts, study, observations);
   hold_what_is_not_needed(s, c.solution, study, observations);
 
   c.hypothesis = s.hypothesis;
@@ -452,6 +532,7 @@ Candidate fit(const Study& study, const Observations& observations, Setting s,
   c.bic = score(observations, c.solution.chi2) + c.solution.prior +
           c.fitted() * std::log(static_cast<double>(n));
   c.tests = residual_tests(study, observations, c.solution.residuals, c.fitted());
+  mark_bound_of_study(c, study);
   judge_plausibility(c);
   return c;
 }

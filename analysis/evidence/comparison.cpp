@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 
+#include "analysis/critical_diameter.h"
 #include "analysis/evidence/diagnosis.h"
 
 namespace powderlink::analysis {
@@ -23,15 +24,28 @@ std::vector<std::string> doubts(const Comparison& c, const Study& study) {
     words.push_back(fmt::format("{} rows cannot test a model: at least {} are needed",
                                 c.residuals.size(), kFewestRows));
   }
-  const bool one_velocity =
-      study.rows.front().kind() == KatRow::Kind::critical_diameter &&
-      std::all_of(study.rows.begin(), study.rows.end(), [&](const KatRow& row) {
-        return row.impact_velocity_m_s == study.rows.front().impact_velocity_m_s;
-      });
-  if (one_velocity) words.push_back("all rows have one velocity: how d_c changes cannot be judged");
+  if (!velocities_spread(study)) {
+    words.push_back(
+        "the velocities of the rows differ by less than 5 %: how d_c changes cannot be "
+        "judged");
+  }
   for (const ParameterEstimate& p : c.fit.parameters) {
     if (p.at_bound)
       words.push_back(fmt::format("{} = {:.4g} stopped at a bound of the fit", p.name, p.value));
+  }
+  std::size_t at_end = 0;
+  for (std::size_t i = 0; i < study.rows.size(); ++i) {
+    constexpr double margin = 1.001;
+    const double d_m = 1e-6 * c.model[i];
+    if (study.rows[i].kind() == KatRow::Kind::critical_diameter &&
+        (d_m <= margin * kSmallestDiameter_m || d_m * margin >= kLargestDiameter_m))
+      ++at_end;
+  }
+  if (at_end > 0) {
+    words.push_back(fmt::format(
+        "in {} of {} rows the model leaves nothing or everything on the plate, whatever the size: "
+        "widen the bounds of the fit, or check units and materials",
+        at_end, study.rows.size()));
   }
   return words;
 }
@@ -69,7 +83,9 @@ void judge(Comparison& c, const Study& study, const Observations& observations,
 
   const std::vector<std::string> doubtful = doubts(c, study);
   const bool fails = residuals_fail(c.tests, c.residuals, observations.noise);
-  c.verdict = fails              ? Comparison::Verdict::fails
+  // Scatter at one velocity tells of the noise, not of the model.
+  const bool can_fail = n >= kFewestRows && velocities_spread(study);
+  c.verdict = fails && can_fail  ? Comparison::Verdict::fails
               : doubtful.empty() ? Comparison::Verdict::agrees
                                  : Comparison::Verdict::undecided;
   c.words = {"judged with " + observations.noise.text()};
@@ -88,6 +104,13 @@ void judge(Comparison& c, const Study& study, const Observations& observations,
       c.words.push_back(fmt::format("the residuals show a {} over {} (p = {:.1g})", t.test,
                                     t.variable, t.p_corrected));
     }
+  }
+  const double mean_square = chi2 / static_cast<double>(n);
+  if (fails && !observations.noise.known() && mean_square <= kRmsOverAssumed * kRmsOverAssumed) {
+    c.words.push_back(
+        "what fails is the trend, not the size of the residuals, and the noise was assumed, not "
+        "measured: errors of reading that change with velocity look the same; repeated drops or "
+        "a column critical_diameter_sigma_um would tell");
   }
   for (const std::string& direction : c.uncertainty.flat)
     c.words.push_back("the data leave open: " + direction);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "analysis/evidence/verdict_words.h"
 #include "models/effect_registry.h"
@@ -18,6 +19,14 @@ constexpr double kSameAsBaseline = 1e-6;   // relative: the effect cannot be see
 constexpr double kPlausibleWithin = 4.0;   // of BIC
 constexpr std::size_t kPairsFromBest = 3;  // pairs are made of these and all others
 
+std::pair<double, double> velocity_range(const Study& study) {
+  const auto [slowest, fastest] = std::minmax_element(
+      study.rows.begin(), study.rows.end(), [](const KatRow& a, const KatRow& b) {
+        return a.impact_velocity_m_s < b.impact_velocity_m_s;
+      });
+  return {slowest->impact_velocity_m_s, fastest->impact_velocity_m_s};
+}
+
 void require_rows(const Study& study) {
   const std::size_t n = study.rows.size();
   if (n < kFewestRows) {
@@ -26,16 +35,10 @@ void require_rows(const Study& study) {
         fmt::format("at least {}: with fewer every effect explains everything", kFewestRows),
         "measure at more velocities; 'powderlink compare' works with fewer rows");
   }
-  std::vector<double> v;
-  for (const KatRow& row : study.rows) {
-    if (row.kind() != KatRow::Kind::critical_diameter) return;  // sizes differ instead
-    v.push_back(row.impact_velocity_m_s);
-  }
-  std::sort(v.begin(), v.end());
-  constexpr double least_spread = 1.05;
-  if (v.back() < least_spread * v.front()) {
+  if (!velocities_spread(study)) {
+    const auto [slowest, fastest] = velocity_range(study);
     throw InvalidInput(study.file.string() + ": impact velocities",
-                       fmt::format("{:g} to {:g} m/s", v.front(), v.back()),
+                       fmt::format("{:g} to {:g} m/s", slowest, fastest),
                        "velocities that differ by 5 % and more",
                        "effects show in how d_c changes with velocity: measure at others too");
   }
@@ -102,6 +105,15 @@ std::vector<Candidate> fit_pairs(const Study& study, const Observations& observa
 }
 
 }  // namespace
+
+bool velocities_spread(const Study& study) {
+  constexpr double least_spread = 1.05;
+  for (const KatRow& row : study.rows) {
+    if (row.kind() != KatRow::Kind::critical_diameter) return true;
+  }
+  const auto [slowest, fastest] = velocity_range(study);
+  return fastest >= least_spread * slowest;
+}
 
 std::string to_string(Verdict verdict) {
   switch (verdict) {

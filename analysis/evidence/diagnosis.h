@@ -30,6 +30,9 @@ inline constexpr double kSuffices = 0.005;  ///< chance that a right candidate f
 inline constexpr double kClears = 6.0;      ///< of BIC, against the baseline
 inline constexpr std::size_t kFewestRows = 4;
 
+/// Critical diameters at velocities that differ by 5 % and more; true where sizes differ instead.
+bool velocities_spread(const Study& study);
+
 enum class Verdict { no_missing_effect, missing_effect, ambiguous, unexplained };
 std::string to_string(Verdict verdict);
 

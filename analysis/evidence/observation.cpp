@@ -5,7 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <iterator>
 
 #include "analysis/critical_diameter.h"
 #include "models/effect_registry.h"
@@ -113,12 +113,23 @@ Observations observe(const Study& study) {
   return o;
 }
 
+double Hypothesis::corrected(double diameter_m, double v) const {
+  if (correction.empty()) return diameter_m;
+  const auto above = correction.lower_bound(v);
+  if (above == correction.end()) return diameter_m * std::exp(correction.rbegin()->second);
+  if (above == correction.begin()) return diameter_m * std::exp(above->second);
+  const auto below = std::prev(above);
+  const double part = std::log(v / below->first) / std::log(above->first / below->first);
+  return diameter_m * std::exp(below->second + part * (above->second - below->second));
+}
+
 double predicted_diameter_um(const Study& study, const Hypothesis& hypothesis, const KatRow& row) {
   const ReducedModel model(
       row_setup(study, hypothesis.effects, row,
                 row.adhesive_energy_J_m2.value_or(hypothesis.adhesive_energy_J_m2)));
-  double diameter =
-      quick_critical_diameter(model, row.impact_velocity_m_s, hypothesis.estimated).diameter_m;
+  double diameter = hypothesis.corrected(
+      quick_critical_diameter(model, row.impact_velocity_m_s, hypothesis.estimated).diameter_m,
+      row.impact_velocity_m_s);
   for (const auto& effect : model.setup().effects) diameter = effect->observed_diameter_m(diameter);
   return diameter * 1e6;
 }
@@ -134,7 +145,8 @@ double retained_share(const Study& study, const Hypothesis& h, const KatRow& row
   const double energy = row.adhesive_energy_J_m2.value_or(h.adhesive_energy_J_m2);
   const auto critical_um = [&](double gamma) {
     const ReducedModel model(row_setup(study, h.effects, row, gamma));
-    return 1e6 * quick_critical_diameter(model, row.impact_velocity_m_s, h.estimated).diameter_m;
+    const double v = row.impact_velocity_m_s;
+    return 1e6 * h.corrected(quick_critical_diameter(model, v, h.estimated).diameter_m, v);
   };
   double scatter = 0.0;
   for (const EffectChoice& e : h.effects) {

@@ -15,6 +15,7 @@
 /// Units: um, m/s. Tests: tests/analysis/study_fit_test.cpp, tests/analysis/retention_test.cpp
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,9 @@ struct Hypothesis {
   std::vector<EffectChoice> effects;
   double adhesive_energy_J_m2 = 0.0;
   bool estimated = false;  ///< sums of effects are estimated (critical_speed.h)
+  /// ln(d_c integrated/estimated) over v [m/s]; between its velocities linear in ln v. Empty: none.
+  std::map<double, double> correction{};
+  double corrected(double diameter_m, double impact_velocity_m_s) const;
 };
 
 struct Observation {

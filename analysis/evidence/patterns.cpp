@@ -64,6 +64,7 @@ std::vector<Pattern> foreign_patterns(const std::vector<double>& x,
 
   Pattern wave{"wave", "", std::numeric_limits<double>::infinity(), 4};
   constexpr double finest = 0.125;  // periods over the range
+  constexpr double largest = 1.0;   // amplitude of ln d
   for (const bool logarithmic : {false, true}) {
     const auto coordinate = [&](double v) { return logarithmic ? std::log(v) : v; };
     const double range = coordinate(distinct.back()) - coordinate(distinct.front());
@@ -77,9 +78,10 @@ std::vector<Pattern> foreign_patterns(const std::vector<double>& x,
         columns.row(i) << 1.0, std::sin(phase), std::cos(phase);
       }
       const Fit f = fit(columns, y, s);
-      if (f.chi2 >= wave.chi2) continue;
-      wave.chi2 = f.chi2;
       const double amplitude = std::hypot(f.coefficients[1], f.coefficients[2]);
+      // Near two rows per period sine and cosine are nearly the same: any amplitude passes.
+      if (f.chi2 >= wave.chi2 || amplitude > largest) continue;
+      wave.chi2 = f.chi2;
       wave.text = logarithmic ? fmt::format("a wave of {:.0f} %, once every factor {:.2g} of v",
                                             percent(amplitude), std::exp(range / periods))
                               : fmt::format("a wave of {:.0f} %, once every {:.2g} m/s",

@@ -13,6 +13,7 @@
 #include "analysis/gnuplot.h"
 #include "analysis/report/quantity.h"
 #include "analysis/report/report_words.h"
+#include "analysis/report/value_range.h"
 #include "analysis/write_file.h"
 
 namespace powderlink::analysis {
@@ -37,17 +38,9 @@ std::string number(double value) {
   return std::isfinite(value) ? fmt::format("{:.8g}", value) : "";
 }
 
-struct Range {
-  double low = INFINITY, high = -INFINITY;
-  void add(double value) {
-    if (!std::isfinite(value)) return;
-    low = std::min(low, value);
-    high = std::max(high, value);
-  }
-  std::string definitions(const char* axis) const {
-    return fmt::format("{0}_low={1:.9g}; {0}_high={2:.9g}", axis, low, high);
-  }
-};
+std::string definitions(const ValueRange& range, const char* axis) {
+  return fmt::format("{0}_low={1:.9g}; {0}_high={2:.9g}", axis, range.low, range.high);
+}
 
 class Sheet {
  public:
@@ -99,7 +92,7 @@ double abscissa(const Observation& o) {
 }
 
 /// The rows of one kind; `x` and `y` grow to hold them.
-std::string rows_table(const StudyResult& r, KatRow::Kind kind, Range& x, Range& y) {
+std::string rows_table(const StudyResult& r, KatRow::Kind kind, ValueRange& x, ValueRange& y) {
   std::string text =
       "impact_velocity_m_s,x,measured,sigma,model,residual_sigma,dem,dem_residual_sigma,hover,"
       "dem_hover\n";
@@ -125,7 +118,7 @@ bool has(const StudyResult& r, KatRow::Kind kind) {
 }
 
 Figure draw_fit(const StudyResult& r, const Quantity& quantity, const Sheet& sheet) {
-  Range x, y;
+  ValueRange x, y;
   const std::string rows = rows_table(r, quantity.kind, x, y);
   std::string curve = "velocity_m_s,diameter_um,low_um,high_um\n";
   for (std::size_t i = 0; i < r.curve.velocity_m_s.size(); ++i) {
@@ -141,7 +134,7 @@ Figure draw_fit(const StudyResult& r, const Quantity& quantity, const Sheet& she
        "y_title=" + gnuplot_string(quantity.title),
        fmt::format("one_curve={}; diameters={}; n_dem={}", one_curve ? 1 : 0, diameters ? 1 : 0,
                    r.dem ? r.dem->model_um.size() : 0),
-       x.definitions("x"), y.definitions("y")},
+       definitions(x, "x"), definitions(y, "y")},
       fmt::format("{}: measured {} with standard deviation, and the model {}{}.", r.study.name,
                   quantity.name,
                   r.effects().empty() ? "without an added effect" : "with " + r.effects(),
@@ -170,7 +163,7 @@ std::vector<Column> columns(const StudyResult& r) {
                     }});
   }
   const auto flat = [&](const Column& c) {
-    Range range;
+    ValueRange range;
     for (const Observation& o : r.observations.list) range.add(c.value(o));
     return !(range.high > range.low);
   };
@@ -179,7 +172,7 @@ std::vector<Column> columns(const StudyResult& r) {
 }
 
 Figure draw_residuals(const StudyResult& r, const Column& column, const Sheet& sheet) {
-  Range x, y;
+  ValueRange x, y;
   std::string text = "x,residual_sigma,dem_residual_sigma,hover,dem_hover\n";
   for (std::size_t i = 0; i < r.observations.list.size(); ++i) {
     const double value = column.value(r.observations.list[i]);
@@ -193,14 +186,14 @@ Figure draw_residuals(const StudyResult& r, const Column& column, const Sheet& s
   return sheet.draw(
       "report_residuals.gp",
       {sheet.table("table", "", text), "x_title=" + gnuplot_string(column.title),
-       fmt::format("n_dem={}", r.dem ? r.dem->model_um.size() : 0), x.definitions("x"),
+       fmt::format("n_dem={}", r.dem ? r.dem->model_um.size() : 0), definitions(x, "x"),
        fmt::format("y_high={:.9g}", y.high)},
       fmt::format("Residuals over {}; grey: within {:g} sigmas.", column.title, kOutside_sigma));
 }
 
 Figure draw_ranking(const StudyResult& r, const Sheet& sheet) {
   const Diagnosis& d = *r.diagnosis;
-  Range evidence, loo;
+  ValueRange evidence, loo;
   evidence.add(0.0);
   std::vector<std::string> names;
   std::string text = "row,effect,evidence,loo_percent,plausible,hover\n";
@@ -235,7 +228,7 @@ Figure draw_ranking(const StudyResult& r, const Sheet& sheet) {
 
 Figure draw_next(const StudyResult& r, const Sheet& sheet) {
   const NextMeasurement& next = r.diagnosis->next;
-  Range x, y;
+  ValueRange x, y;
   const std::string rows = rows_table(r, KatRow::Kind::critical_diameter, x, y);
   std::vector<std::string> names;
   std::string header = "velocity_m_s";
@@ -272,7 +265,7 @@ Figure draw_next(const StudyResult& r, const Sheet& sheet) {
        "names=" + gnuplot_string(fmt::format("{}", fmt::join(names, " "))),
        fmt::format("n_curves={}; next_v={:.9g}; n_rows={}", names.size(), next.velocity_m_s,
                    has(r, KatRow::Kind::critical_diameter) ? 1 : 0),
-       x.definitions("x"), y.definitions("y")},
+       definitions(x, "x"), definitions(y, "y")},
       next.velocity_m_s > 0.0
           ? fmt::format("What the leading explanations of {} predict, with one standard deviation, "
                         "and the drop that separates them most: {:.3g} m/s.",
@@ -334,7 +327,7 @@ StudyFigures draw_study(const StudyResult& r, const fs::path& folder, const std:
 Figure draw_staircase(const std::vector<std::unique_ptr<StudyResult>>& results,
                       const fs::path& folder) {
   const Sheet sheet(folder, "staircase");
-  Range percent;
+  ValueRange percent;
   std::vector<std::string> names;
   std::size_t n_dem = 0;
   const bool one_table = same_measurements(results);

@@ -9,6 +9,7 @@
 #include <numeric>
 
 #include "analysis/report/quantity.h"
+#include "analysis/report/value_range.h"
 #include "analysis/units.h"
 
 namespace powderlink::analysis {
@@ -30,20 +31,10 @@ std::string range_text(double low, double high, int digits) {
   return a == b ? a : fmt::format("{} to {}", a, b);
 }
 
-struct Range {
-  double low = INFINITY, high = -INFINITY;
-  void add(double value) {
-    if (!std::isfinite(value)) return;
-    low = std::min(low, value);
-    high = std::max(high, value);
-  }
-  std::string text(int digits) const { return range_text(low, high, digits); }
-};
-
 std::string group_text(const StudyResult& r, const std::vector<std::size_t>& rows, Fit fit) {
   const Quantity& quantity = quantity_of(r.observations.list[rows.front()].row.kind());
   const bool relative = quantity.kind == KatRow::Kind::critical_diameter;
-  Range velocity, measured, size, off, sigmas;
+  ValueRange velocity, measured, size, off, sigmas;
   for (const std::size_t i : rows) {
     const Observation& o = r.observations.list[i];
     velocity.add(o.row.impact_velocity_m_s);
@@ -52,17 +43,18 @@ std::string group_text(const StudyResult& r, const std::vector<std::size_t>& row
     off.add(std::fabs(o.error(r.comparison.model[i])) * (relative ? 100.0 : 1.0));
     sigmas.add(std::fabs(r.comparison.residuals[i]));
   }
-  const std::string where =
-      fmt::format("At {} m/s{} ({} {}{}) the model ", velocity.text(3),
-                  std::isfinite(size.low) ? fmt::format(" and {} µm", size.text(3)) : "",
-                  quantity.name, measured.text(3), quantity.unit);
+  const std::string where = fmt::format(
+      "At {} m/s{} ({} {}{}) the model ", range_text(velocity.low, velocity.high, 3),
+      std::isfinite(size.low) ? fmt::format(" and {} µm", range_text(size.low, size.high, 3)) : "",
+      quantity.name, range_text(measured.low, measured.high, 3), quantity.unit);
   const char* unit = relative ? " %" : quantity.unit;
   if (fit == Fit::fits)
     return where + fmt::format("fits: it is off by {:.2g}{} at most, {:.1f} sigmas.", off.high,
                                unit, sigmas.high);
   return where + fmt::format("is too {} by {}{}, {} sigmas.",
-                             fit == Fit::too_large ? "large" : "small", off.text(2), unit,
-                             sigmas.text(2));
+                             fit == Fit::too_large ? "large" : "small",
+                             range_text(off.low, off.high, 2), unit,
+                             range_text(sigmas.low, sigmas.high, 2));
 }
 
 std::string list_text(const std::vector<std::string>& names) {
@@ -152,12 +144,13 @@ std::vector<std::string> trend_words(const StudyResult& r) {
   std::vector<std::string> words;
   for (const TrendTest& t : r.comparison.tests) {
     if (!t.counts || t.p_corrected >= kAlarm) continue;
-    const char* what = t.test == "curve"  ? "they lie on a curve"
-                       : t.test == "rank" ? "they rise or fall with it"
-                       : t.test == "runs" ? "neighbours have the same sign"
-                                          : "they are larger than the noise";
-    words.push_back(fmt::format("The residuals are not chance, over {}: {} (p = {:.1g}).",
-                                t.variable, what, t.p_corrected));
+    const std::string what = t.test == "curve"  ? "over " + t.variable + " they lie on a curve"
+                             : t.test == "rank" ? "they rise or fall with " + t.variable
+                             : t.test == "runs"
+                                 ? "neighbours in " + t.variable + " have the same sign too often"
+                                 : "they are larger than the stated noise allows";
+    words.push_back(
+        fmt::format("The residuals are not chance: {} (p = {:.1g}).", what, t.p_corrected));
   }
   return words;
 }

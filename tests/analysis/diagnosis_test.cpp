@@ -145,5 +145,14 @@ TEST(Diagnosis, AFitAtABoundIsNotConfident) {
   EXPECT_NE(d.verdict, Verdict::no_missing_effect);
 }
 
+TEST(Diagnosis, ABoundThatForcesImplausibleValuesIsNotConfident) {
+  // Only Gamma/tau counts: with Gamma held low, tau is fitted far outside of what the device shows.
+  Study s = steel_study(0.2, {{"finite_stop_pulse", {8e-5, 0.0}}}, 0.02);
+  s.adhesive_energy.upper_J_m2 = 0.01;
+  const Diagnosis d = diagnosed(s);
+  EXPECT_NE(d.verdict, Verdict::missing_effect);
+  EXPECT_FALSE(d.best.empty() || d.get(d.best).plausible);
+}
+
 }  // namespace
 }  // namespace powderlink::analysis

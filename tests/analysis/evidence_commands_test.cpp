@@ -128,7 +128,12 @@ TEST(EvidenceCommands, BadInputIsToldPlainly) {
       {head + "1,nan,2\n2,30,1\n3,20,1\n4,15,1\n", {"line 2", "nan", "finite number"}},
       {head + "1,-60,2\n2,30,1\n3,20,1\n4,15,1\n", {"line 2", "-60 um"}},
       {head + "1,60e-6,2e-6\n2,30e-6,1e-6\n3,20e-6,1e-6\n4,15e-6,1e-6\n",
-       {"micrometres are meant", "write 60"}}};
+       {"micrometres are meant", "write 60"}},
+      {head + "1,60e6,2e6\n2,30e6,1e6\n3,20e6,1e6\n4,15e6,1e6\n",
+       {"micrometres are meant", "write 60"}},
+      {head + "1,60,2e-6\n2,30,1e-6\n3,20,1e-6\n4,15,1e-6\n", {"line 2", "were metres given"}},
+      {head + "1,60,2000\n2,30,1000\n3,20,1000\n4,15,1000\n", {"line 2", "2000 um of 60 um"}},
+      {"v,d\n1,60\n2,30\n", {"columns v, d", "rename"}}};
   for (const auto& c : cases) {
     const CommandResult r = powderlink("diagnose " + study(c.csv));
     EXPECT_EQ(r.status, 1) << c.csv;
