@@ -116,12 +116,12 @@ std::optional<RosinRammlerFit> fit_rosin_rammler(const SizeDistribution& sample,
                                                  const RosinRammler& cut) {
   Likelihood likelihood;
   const double scale = sample.quantile_um(0.63);
-  const double smallest = 1e-6 * scale;  // a grain right at the origin has no logarithm
   double total = 0.0;
   for (std::size_t i = 0; i < sample.weights().size(); ++i) {
     const double d = sample.diameters_um()[i];
-    if (d < cut.min_um || d > cut.max_um) continue;
-    likelihood.log_d.push_back(std::log(std::max(d - cut.origin_um, smallest) / scale));
+    // A grain right at the origin has no logarithm; with o = min that is the one that gave min.
+    if (d < cut.min_um || d > cut.max_um || d <= cut.origin_um) continue;
+    likelihood.log_d.push_back(std::log((d - cut.origin_um) / scale));
     likelihood.weight.push_back(sample.weights()[i]);
     total += sample.weights()[i];
   }
