@@ -4,7 +4,7 @@
 ///   specks: d < Q1 (Q1/Q3)^6, quartiles by mass: what has hardly any mass and is far below all the
 ///   rest, dust or noise. Quartiles by mass do not mind how many specks there are. A Rosin-Rammler
 ///   powder with n = 2 to 4 loses less than 1 % of its grains to it. Flagged, and left out on demand.
-/// Tests: tests/psd/psd_report_test.cpp, tests/psd/psd_command_test.cpp
+/// Tests: tests/psd/psd_command_test.cpp
 #pragma once
 
 #include <array>

@@ -6,7 +6,7 @@ set datafile separator ","
 set xlabel "diameter {/:Italic d} (µm)"
 set ylabel "share finer than {/:Italic d}"
 set yrange [0 : 1.001]
-set key right bottom Left reverse
+set key outside above horizontal Left reverse maxrows 2 width -4
 law(d, x0, n) = 1 - exp(-(d/x0)**n)
 set samples 400
 range = largest - smallest
