@@ -17,7 +17,7 @@ namespace powderlink::analysis {
 struct Scene {
   int width = 1200, height = 900;
   double fraction = 0.15;  // of the area, aimed at
-  double median_px = 28, log_std = 0.25, least_px = 12;
+  double median_px = 28, log_std = 0.25, least_px = 10;
   double touching = 0.0;  // share of grains that get a touching neighbour
   double blur_px = 0.8, noise = 0.03;
   double light = 0.0;  // change of brightness from corner to corner

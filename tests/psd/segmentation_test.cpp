@@ -87,7 +87,7 @@ TEST(Segmentation, TouchingPairsArePartedAtThreeMagnifications) {
   for (const double per_um : {1.0, 2.0, 3.0}) {
     Scene s;
     s.median_px = 22 * per_um;
-    s.least_px = 12 * per_um;
+    s.least_px = 10 * per_um;
     s.width = static_cast<int>(1000 * per_um);
     s.height = static_cast<int>(800 * per_um);
     s.touching = 0.5;
