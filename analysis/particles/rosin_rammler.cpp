@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/evidence/least_squares.h"
+
 namespace powderlink::analysis {
 
 namespace {
@@ -156,6 +158,36 @@ std::optional<RosinRammlerFit> fit_rosin_rammler(const SizeDistribution& sample,
   if (!known) return {};
   fit.x0_sigma_um = fit.law.x0_um * std::sqrt(c(0, 0));
   fit.n_sigma = fit.law.n * std::sqrt(c(1, 1));
+  fit.r_squared = r_squared(sample, fit.law);
+  return fit;
+}
+
+std::optional<RosinRammlerFit> nearest_rosin_rammler(const SizeDistribution& sample,
+                                                     const RosinRammler& cut) {
+  const std::vector<double>& all = sample.diameters_um();
+  if (all.size() < kFewest || !(all.back() > all.front())) return {};
+  constexpr int points = 200;
+  std::vector<double> shares;
+  for (int i = 0; i < points; ++i) shares.push_back((i + 0.5) / points);
+  const std::vector<double> d = sample.quantiles_um(shares);
+  const double size = std::max(sample.quantile_um(0.63) - cut.origin_um, 1e-3 * all.back());
+  FitProblem problem;
+  problem.parameters = {{"x0_um", 1e-2 * size, 1e2 * size, size}, {"n", kLeast_n, kLargest_n, 2.0}};
+  problem.residuals = [&](const std::vector<double>& values) {
+    RosinRammler law = cut;
+    law.x0_um = values[0];
+    law.n = values[1];
+    std::vector<double> off;
+    for (int i = 0; i < points; ++i)
+      off.push_back(law.finer(d[static_cast<std::size_t>(i)]) -
+                    shares[static_cast<std::size_t>(i)]);
+    return off;
+  };
+  const FitSolution s = least_squares(problem, {{size, 1.0}, {size, 2.0}, {size, 4.0}});
+  RosinRammlerFit fit;
+  fit.law = cut;
+  fit.law.x0_um = s.values[0];
+  fit.law.n = s.values[1];
   fit.r_squared = r_squared(sample, fit.law);
   return fit;
 }

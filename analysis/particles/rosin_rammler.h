@@ -44,4 +44,10 @@ struct RosinRammlerFit {
 std::optional<RosinRammlerFit> fit_rosin_rammler(const SizeDistribution& sample,
                                                  const RosinRammler& cut = {});
 
+/// The law of another form, such as OpenFOAM's, that comes nearest to the sample: least squares in Y
+/// at 200 quantiles. Not an estimate of parameters, so without standard errors: a law that is not of
+/// the sample's form is pulled about by its ends when fitted by likelihood.
+std::optional<RosinRammlerFit> nearest_rosin_rammler(const SizeDistribution& sample,
+                                                     const RosinRammler& cut);
+
 }  // namespace powderlink::analysis

@@ -6,7 +6,7 @@
 ///   OpenFOAM  sizeDistribution of type RosinRammler. It draws
 ///             d = minValue + d (-ln(1 - y K))^(1/n): its origin is minValue, so x0 and n of the
 ///             textbook's law would be wrong there; written are those that were fitted to its own form
-/// Tests: tests/psd/psd_command_test.cpp
+/// Tests: tests/psd/powder_inputs_test.cpp, tests/psd/psd_command_test.cpp
 #pragma once
 
 #include <string>

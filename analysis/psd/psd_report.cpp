@@ -136,8 +136,8 @@ void fits(PsdReport& r) {
   r.rr_mass = fit_rosin_rammler(*r.mass);
   r.cut_number = fit_rosin_rammler(*r.number, cut);
   r.cut_mass = fit_rosin_rammler(*r.mass, cut);
-  r.foam_number = fit_rosin_rammler(*r.number, foam);
-  r.foam_mass = fit_rosin_rammler(*r.mass, foam);
+  r.foam_number = nearest_rosin_rammler(*r.number, foam);
+  r.foam_mass = nearest_rosin_rammler(*r.mass, foam);
   if (!r.rr_number) r.set.notes.push_back("no Rosin-Rammler law: too few sizes to decide one");
 }
 
