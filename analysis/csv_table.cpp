@@ -16,11 +16,11 @@ namespace powderlink::analysis {
 
 namespace {
 
-std::vector<std::string> split(const std::string& line, const std::string& place) {
+std::vector<std::string> split(const std::string& line, char separator, const std::string& place) {
   using Separator = boost::escaped_list_separator<char>;
   std::vector<std::string> cells;
   try {
-    for (std::string cell : boost::tokenizer<Separator>(line, Separator())) {
+    for (std::string cell : boost::tokenizer<Separator>(line, Separator('\\', separator, '"'))) {
       boost::algorithm::trim(cell);
       cells.push_back(std::move(cell));
     }
@@ -28,6 +28,11 @@ std::vector<std::string> split(const std::string& line, const std::string& place
     throw InvalidInput(place, "'" + line + "'", "cells separated by commas", e.what());
   }
   return cells;
+}
+
+char separator_of(const std::string& header) {
+  if (header.find('\t') != std::string::npos) return '\t';
+  return header.find(',') == std::string::npos && header.find(';') != std::string::npos ? ';' : ',';
 }
 
 }  // namespace
@@ -56,22 +61,28 @@ double CsvTable::number(const Row& row, std::size_t column) const {
   return value;
 }
 
-CsvTable read_csv(const std::filesystem::path& file) {
+CsvTable read_csv(const std::filesystem::path& file, const CsvFormat& format) {
   CsvTable table;
   table.file = file.string();
   std::ifstream in(file);
   if (!in || std::filesystem::is_directory(file)) {
-    throw InvalidInput("measurement file", table.file, "a CSV file that can be read",
-                       "check the path; a relative one starts at the study file's folder");
+    throw InvalidInput(format.what, table.file, "a CSV file that can be read", format.absent);
   }
   int line_number = 0;
+  char separator = ',';
   for (std::string line; std::getline(in, line);) {
     ++line_number;
     if (line_number == 1 && line.compare(0, 3, "\xEF\xBB\xBF") == 0) line.erase(0, 3);
-    boost::algorithm::trim(line);
-    if (line.empty() || line[0] == '#') continue;
+    if (!line.empty() && line.back() == '\r') line.pop_back();
+    const std::size_t text = line.find_first_not_of(" \t");
+    if (text == std::string::npos) continue;
+    if (line[text] == '#') {
+      table.comments.push_back(line.substr(text + 1));
+      continue;
+    }
+    if (table.columns.empty() && format.any_separator) separator = separator_of(line);
     const std::string place = fmt::format("{}, line {}", table.file, line_number);
-    std::vector<std::string> cells = split(line, place);
+    std::vector<std::string> cells = split(line, separator, place);
     if (table.columns.empty()) {
       for (std::size_t i = 0; i < cells.size(); ++i) {
         if (std::find(cells.begin(), cells.begin() + static_cast<long>(i), cells[i]) !=
@@ -96,8 +107,7 @@ CsvTable read_csv(const std::filesystem::path& file) {
   if (table.rows.empty()) {
     throw InvalidInput(fmt::format("{}, line {}", table.file, std::max(line_number, 1)),
                        table.columns.empty() ? "an empty file" : "a header without rows",
-                       "a header line and at least one row, separated by commas",
-                       "fill the file, or correct its path in the study");
+                       "a header line and at least one row, separated by commas", format.empty);
   }
   return table;
 }

@@ -28,6 +28,7 @@ int run(int argc, char** argv) {
   analysis::add_add_command(app);
   analysis::add_effects_command(app);
   analysis::add_flow_command(app);
+  analysis::add_psd_command(app);
   analysis::add_report_command(app);
   analysis::add_restart_command(app);
   try {

@@ -17,6 +17,7 @@ void add_compare_command(CLI::App& app);
 void add_diagnose_command(CLI::App& app);
 void add_effects_command(CLI::App& app);
 void add_flow_command(CLI::App& app);
+void add_psd_command(CLI::App& app);
 void add_report_command(CLI::App& app);
 void add_restart_command(CLI::App& app);
 

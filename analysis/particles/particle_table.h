@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file particle_table.h
+/// Tables of grains as ImageJ and Fiji save them ("Analyze Particles", "Measure"), and those of
+/// `powderlink psd` itself (particles.csv); cells separated by commas, tabs or semicolons.
+///
+///   needed:    Area, and Perim. or Circ. (then P = sqrt(4 pi A/Circ.))
+///   used:      AR or Round (= 1/AR), Feret
+///   units:     pixels, unless the name says otherwise: `area_um2`, `Area (µm^2)`
+///   the scale: argument, or a comment line `# pixel_size_um: 0.5`, or a column `pixel_size_um`
+///
+/// Case does not matter, nor does a dot at the end of a name. Errors are InvalidInput with file,
+/// line and column; different pixel sizes in one set are refused, because what is too small to be
+/// seen then differs from file to file.
+/// Tests: tests/psd/particle_table_test.cpp
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "analysis/particles/particle.h"
+
+namespace powderlink::analysis {
+
+struct ParticleSet {
+  std::vector<std::string> files;
+  std::optional<double> pixel_size_um;  ///< empty: tables in um that do not say it
+  std::vector<Particle> particles;
+  std::vector<std::string> notes;  ///< what a reader of the result should know
+};
+
+/// Files of all patterns (*, ?, [..], as in a shell), each once, in the order given.
+/// Throws for a pattern or name without a file.
+std::vector<std::filesystem::path> expand_patterns(const std::vector<std::string>& patterns);
+
+/// 1e-4 to 1000 um; `where` names option or file.
+double require_pixel_size_um(double value, const std::string& where);
+
+/// \param pixel_size_um  of tables that count pixels and do not say it; 1 for ImageJ tables of an
+///                       image with a scale in um
+ParticleSet read_particle_tables(const std::vector<std::filesystem::path>& files,
+                                 const std::optional<double>& pixel_size_um);
+
+}  // namespace powderlink::analysis

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Fits against the parameters that made the sample, and their scatter against Fisher's information.
+#include "analysis/particles/rosin_rammler.h"
+
+#include <boost/random/mersenne_twister.hpp>
+#include <boost/random/uniform_01.hpp>
+#include <cmath>
+
+#include "tests/analysis/test_files.h"
+
+namespace powderlink::analysis {
+namespace {
+
+constexpr int kGrains = 2000;
+constexpr double kRecovered = 0.02;
+
+/// One grain in each of `grains` equal shares of the law.
+std::vector<double> ideal(const RosinRammler& law, int grains) {
+  std::vector<double> d;
+  d.reserve(static_cast<std::size_t>(grains));
+  for (int i = 0; i < grains; ++i) d.push_back(law.quantile_um((i + 0.5) / grains));
+  return d;
+}
+
+std::vector<double> drawn(const RosinRammler& law, int grains, unsigned seed) {
+  boost::random::mt19937_64 generator(seed);
+  boost::random::uniform_01<double> any;
+  std::vector<double> d(static_cast<std::size_t>(grains));
+  for (double& x : d) x = law.quantile_um(any(generator));
+  return d;
+}
+
+TEST(RosinRammler, QuantileInvertsTheLawAndX0Has63PercentFiner) {
+  EXPECT_NEAR((RosinRammler{70.7, 4}.finer(70.7)), 1 - std::exp(-1.0), 1e-12);
+  for (const RosinRammler& law :
+       {RosinRammler{70.7, 4}, RosinRammler{70.7, 4, 40, 110}, RosinRammler{30, 2, 40, 110, 40}}) {
+    for (const double share : {0.001, 0.2, 0.5, 0.9, 0.999})
+      EXPECT_NEAR(law.finer(law.quantile_um(share)), share, 1e-10);
+  }
+}
+
+TEST(RosinRammler, RecoveredFrom2000Grains) {
+  for (const double n : {1.5, 3.0, 6.0}) {
+    for (const RosinRammler& law :
+         {RosinRammler{60, n}, RosinRammler{60, n, 40, 110}, RosinRammler{25, n, 40, 80, 40}}) {
+      const auto fit =
+          fit_rosin_rammler(SizeDistribution(ideal(law, kGrains), Weighting::number), law);
+      ASSERT_TRUE(fit) << n;
+      EXPECT_NEAR(fit->law.x0_um / law.x0_um, 1, kRecovered) << n;
+      EXPECT_NEAR(fit->law.n / n, 1, kRecovered) << n;
+      EXPECT_GT(fit->r_squared, 0.9999);
+    }
+  }
+}
+
+TEST(RosinRammler, ScatterOfRandomSamplesIsTheSmallestPossible) {
+  // Fisher's information of the whole law: sigma_n/n = 0.7797/sqrt(N), sigma_x0/x0 = 1.0525/(n sqrt(N)).
+  const RosinRammler law{60, 3};
+  constexpr int trials = 200;
+  constexpr double kScatter = 0.15;  // 3 sigma of a standard deviation from 200 trials
+  double n_off = 0, n_square = 0, x_square = 0, claimed_n = 0, claimed_x = 0;
+  for (unsigned t = 0; t < trials; ++t) {
+    const auto fit = fit_rosin_rammler(SizeDistribution(drawn(law, kGrains, t), Weighting::number));
+    ASSERT_TRUE(fit);
+    n_off += (fit->law.n / 3 - 1) / trials;
+    n_square += std::pow(fit->law.n / 3 - 1, 2) / trials;
+    x_square += std::pow(fit->law.x0_um / 60 - 1, 2) / trials;
+    claimed_n += fit->n_sigma / 3 / trials;
+    claimed_x += fit->x0_sigma_um / 60 / trials;
+  }
+  const double sigma_n = 0.7797 / std::sqrt(kGrains), sigma_x = 1.0525 / 3 / std::sqrt(kGrains);
+  EXPECT_NEAR(std::sqrt(n_square) / sigma_n, 1, kScatter);
+  EXPECT_NEAR(std::sqrt(x_square) / sigma_x, 1, kScatter);
+  EXPECT_NEAR(claimed_n / sigma_n, 1, 0.02);  // mean of 200 estimates of a sigma
+  EXPECT_NEAR(claimed_x / sigma_x, 1, 0.02);
+  EXPECT_LT(std::fabs(n_off), 3 * sigma_n / std::sqrt(trials));
+}
+
+TEST(RosinRammler, ByMassFromGrainsThatAreCountedByNumber) {
+  // Law by mass: shares by number go with dY/d^3. One grain per equal share of number.
+  const RosinRammler law{70.7, 4, 40, 110};
+  constexpr int steps = 200000;
+  std::vector<double> number(steps + 1, 0.0);
+  const auto at = [](int i) { return 40 + 70.0 * i / steps; };
+  for (int i = 0; i < steps; ++i) {
+    number[i + 1] =
+        number[i] + (law.finer(at(i + 1)) - law.finer(at(i))) / std::pow(at(i) + 35.0 / steps, 3);
+  }
+  std::vector<double> d;
+  for (int k = 0, i = 0; k < kGrains; ++k) {
+    while (number[i + 1] < (k + 0.5) / kGrains * number[steps]) ++i;
+    d.push_back(at(i));
+  }
+  const auto fit = fit_rosin_rammler(SizeDistribution(d, Weighting::mass), law);
+  ASSERT_TRUE(fit);
+  EXPECT_NEAR(fit->law.x0_um / 70.7, 1, kRecovered);
+  EXPECT_NEAR(fit->law.n / 4, 1, kRecovered);
+}
+
+TEST(RosinRammler, NoLawFromGrainsThatDecideNone) {
+  const auto fit = [](std::vector<double> d) {
+    return fit_rosin_rammler(SizeDistribution(std::move(d), Weighting::number)).has_value();
+  };
+  EXPECT_FALSE(fit(std::vector<double>(50, 60.0)));
+  EXPECT_FALSE(fit({10, 20, 30}));
+  EXPECT_TRUE(fit(ideal({60, 3}, 50)));
+}
+
+}  // namespace
+}  // namespace powderlink::analysis
