@@ -80,12 +80,14 @@ KatAnalysis analyse_kat(const KatAnalysisInput& in) {
   a.drop = uncertain_drop(in, a.retention.critical);
   a.methods = all_methods(a.drop);
   a.warnings = a.retention.warnings;
+  const MethodResult* highest = nullptr;
   for (const MethodResult& m : a.methods) {
     if (!m.gamma) continue;
     a.warnings.insert(a.warnings.end(), m.gamma->warnings.begin(), m.gamma->warnings.end());
-    const std::string high = adhesive_energy_warning(m.gamma->value, m.info->label);
-    if (!high.empty()) a.warnings.push_back(high);
+    if (highest == nullptr || m.gamma->value > highest->gamma->value) highest = &m;
   }
+  const std::string high = adhesive_energy_warning(highest->gamma->value, highest->info->label);
+  if (!high.empty()) a.warnings.push_back(high);
   for (const std::string& text : disagreements(a.methods)) a.warnings.push_back(text);
   return a;
 }

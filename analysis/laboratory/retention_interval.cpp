@@ -116,10 +116,12 @@ RetentionIntervals retention_intervals(const RetentionLikelihood& likelihood,
     return 2.0 * (best.log_likelihood - fit_at(joined, whole, c).log_likelihood);
   };
   i.critical = interval(fall, best.log_critical, whole, i.threshold);
+  // Not joined: its steps are at single grains, and its ln L costs next to nothing.
+  const RetentionFit ideal = fit_truncation(likelihood);
   const auto fall_of_truncation = [&](double c) {
-    return 2.0 * (truncation.log_likelihood - joined(c, 0.0));
+    return 2.0 * (ideal.log_likelihood - likelihood(c, 0.0));
   };
-  i.truncation = interval(fall_of_truncation, truncation.log_critical, whole, kStepThreshold);
+  i.truncation = interval(fall_of_truncation, ideal.log_critical, whole, kStepThreshold);
   constexpr double tail = 0.5 * (1.0 - kConfidence);
   const double seen = sample.largest_after();
   i.largest_remaining = {seen + centre - quantile(largest, 1.0 - tail),
