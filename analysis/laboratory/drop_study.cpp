@@ -42,13 +42,14 @@ std::string new_study(const fs::path& study, const fs::path& table, const KatDro
       "experiment = \"kat_critical_diameter\"\nmeasurements = \"{}\"\n\n[particle]\n"
       "material = \"{}\"\n\n[substrate]\nmaterial = \"{}\"\n\n[model]\n",
       study.stem().string(), table.filename().string(), drop.particle.name, drop.substrate.name);
+  text += "effects = []  # an instant stop; powderlink diagnose tells what is missing\n";
   if (drop.contact_time_s) {
     text += fmt::format(
-        "effects = [\"finite_stop_pulse\"]  # tau_s: contact_time_us of the table\n\n"
-        "[effect.finite_stop_pulse]\nplate_restitution = {:.9g}\n",
-        drop.plate_rebound);
-  } else {
-    text += "effects = []  # an instant stop: no time of contact was measured\n";
+        "# With finite_stop_pulse (powderlink add) contact_time_us of the table is its tau_s"
+        "{}\n",
+        drop.plate_rebound > 0.0
+            ? fmt::format("; plate_restitution = {:.9g} was given", drop.plate_rebound)
+            : "");
   }
   return text + "\n[fit]\nadhesive_energy_J_m2 = [0.001, 1000.0]\n";
 }

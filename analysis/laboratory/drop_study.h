@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file drop_study.h
 /// The study of several drops of one powder on one plate, grown drop by drop: STUDY.toml and beside it
-/// STUDY.csv with a row of d_c and its standard deviation per drop. With a contact time the stop of the
-/// study is `finite_stop_pulse`, else it is instant.
+/// STUDY.csv with a row of d_c and its standard deviation per drop, and the contact time where it was
+/// measured. Its model is the baseline (instant stop): `diagnose` says what is missing, `add` adds it.
 /// sigma = d_c ln(high/low)/(2*1.96), from the 95 % interval.
 /// Errors: InvalidInput for a study of other materials, a table of other columns, a drop that is in
 /// it already. Nothing is written then. Tests: tests/analysis/kat_analyse_command_test.cpp

@@ -94,7 +94,9 @@ TEST_F(KatAnalyse, GrowsAStudyThatCompareReads) {
                             velocity));
     ASSERT_EQ(r.status, 0) << r.err;
   }
-  const CommandResult r = powderlink("compare " + file("s.toml") + " --json " + file("c.json"));
+  EXPECT_EQ(powderlink("add " + file("s.toml") + " finite_stop_pulse -o " + file("f.toml")).status,
+            0);
+  const CommandResult r = powderlink("compare " + file("f.toml") + " --json " + file("c.json"));
   ASSERT_EQ(r.status, 0) << r.err;
   const auto j = nlohmann::json::parse(read_file(file("c.json")));
   EXPECT_EQ(j.at("verdict"), "agrees") << r.out;
