@@ -2,6 +2,7 @@
 #include "analysis/laboratory/grain_files.h"
 
 #include <algorithm>
+#include <boost/algorithm/string/case_conv.hpp>
 
 #include "analysis/particles/particle_table.h"
 #include "models/invalid_input.h"
@@ -14,6 +15,24 @@ double GrainDiameters::ratio_of_files() const {
   return static_cast<double>(after_files.size()) / static_cast<double>(before_files.size());
 }
 
+namespace {
+
+void refuse_images(const std::vector<fs::path>& files) {
+  for (const fs::path& file : files) {
+    std::string kind = file.extension().string();
+    boost::algorithm::to_lower(kind);
+    for (const char* image : {".png", ".tif", ".tiff", ".jpg", ".jpeg", ".bmp"}) {
+      if (kind != image) continue;
+      throw InvalidInput(
+          "grains before and after the drop", file.string() + ", a picture",
+          "tables of grains with Area and Perim.",
+          "measure the grains first, by powderlink psd or in Fiji, and give its table");
+    }
+  }
+}
+
+}  // namespace
+
 GrainDiameters read_grains(const GrainFiles& given) {
   std::vector<fs::path> files = expand_patterns(given.before);
   const std::size_t before = files.size();
@@ -24,6 +43,7 @@ GrainDiameters read_grains(const GrainFiles& given) {
     }
     files.push_back(file);
   }
+  refuse_images(files);
   const ParticleSet set = read_particle_tables(files, given.pixel_size_um);
   GrainDiameters d;
   d.pixel_size_um = set.pixel_size_um;

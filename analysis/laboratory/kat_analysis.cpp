@@ -67,11 +67,11 @@ std::vector<std::string> disagreements(const std::vector<MethodResult>& methods)
     for (const MethodResult* other : given) apart = apart || m->gamma->high < other->gamma->low;
   }
   if (!apart) return {};
-  return {fmt::format(
-      "the methods disagree by up to a factor of {:.3g}, more than their intervals allow ({}): at "
-      "most those whose assumption holds are Gamma; measure the time of contact of the stop to "
-      "know",
-      given.back()->gamma->value / given.front()->gamma->value, fmt::join(list, ", "))};
+  return {
+      fmt::format("the methods disagree by up to a factor of {:.3g}, more than their intervals "
+                  "allow ({}): their "
+                  "assumptions cannot hold together; believe the one whose assumption was measured",
+                  given.back()->gamma->value / given.front()->gamma->value, fmt::join(list, ", "))};
 }
 
 KatAnalysis analyse_kat(const KatAnalysisInput& in) {

@@ -135,6 +135,10 @@ TEST_F(KatAnalyse, RefusesBadInput) {
   refused("", drop_options(), {"exchange --before"});
   folder.write("before.csv", image_table(s.before_um));
   refused("--after " + file("before.csv"), drop_options(), {"in both"});
+  folder.write("after.png", "not a table");
+  refused("--after " + file("after.png"), drop_options(), {"a picture", "Fiji"});
+  folder.write("after.csv", " ,Area,Perim.\n");
+  refused("", drop_options(), {"after.csv", "a header without rows"});
 }
 
 TEST_F(KatAnalyse, TenThousandGrainsInTwoSeconds) {
