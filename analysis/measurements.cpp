@@ -9,6 +9,7 @@
 #include <functional>
 
 #include "analysis/checks.h"
+#include "analysis/laboratory/grain_drops.h"
 #include "models/invalid_input.h"
 
 namespace powderlink::analysis {
@@ -152,6 +153,10 @@ void keep_numbers(Measurements& m, const std::string& name) {
 Measurements read_measurements(const std::filesystem::path& file) {
   Measurements m;
   m.table = read_csv(file);
+  if (is_grain_drops(m.table)) {
+    m.rows = grain_drop_rows(m.table, m.unknown_columns);
+    return m;
+  }
   m.rows.resize(m.table.rows.size());
   const std::vector<Column> columns = columns_of(kind_of(m.table));
   for (const Column& c : columns) {

@@ -9,6 +9,11 @@
 ///   retained shares, one row per drop and size class
 ///     impact_velocity_m_s, diameter_um, count_before, count_after      needed
 ///     diameter_low_um, diameter_high_um    optional, limits of the class; else 5 % on either side
+///   retained shares from tables of grains, one row per drop; each becomes one row per size class
+///     impact_velocity_m_s, before_files, after_files                  needed; patterns, separated by ';'
+///     pixel_size_um                  of tables in pixels that do not state it
+///     area_ratio                     seen after over before; else from the grains that all stay
+///     class_width_percent            of the diameter; else 10
 ///   residual speeds, one row per grain or mean of grains that left
 ///     impact_velocity_m_s, diameter_um, residual_velocity_m_s         needed
 ///     residual_velocity_sigma_m_s          optional; else 5 % of the impact velocity
@@ -39,6 +44,9 @@ struct KatRow {
   std::optional<double> diameter_um{};  ///< of the grains; absent in a row of critical diameters
   std::optional<double> diameter_low_um{}, diameter_high_um{};
   std::optional<double> count_before{}, count_after{};
+  /// Area seen after over that before, where both are samples of their own; else count_after are those
+  /// of count_before that stayed.
+  std::optional<double> area_ratio{};
   std::optional<double> residual_velocity_m_s{}, residual_velocity_sigma_m_s{};
   std::map<std::string, double> other{};  ///< unknown columns whose cells are all numbers
 

@@ -10,6 +10,7 @@ class App;
 
 namespace powderlink::analysis {
 
+void add_kat_analyse_command(CLI::App& kat);
 void add_kat_theory_command(CLI::App& kat);
 void add_kat_run_command(CLI::App& kat);
 void add_add_command(CLI::App& app);

@@ -92,6 +92,14 @@ Observations observe(const Study& study) {
   for (const KatRow& row : study.rows) {
     if (row.kind() == KatRow::Kind::retained_share) {
       const double n = *row.count_before;
+      if (row.area_ratio) {
+        // Both counts are Poisson.
+        const double share = *row.count_after / (*row.area_ratio * n);
+        const double relative = 1.0 / n + 1.0 / std::max(*row.count_after, 1.0);
+        o.list.push_back(
+            {row, share, std::max(share, 1.0 / (*row.area_ratio * n)) * std::sqrt(relative)});
+        continue;
+      }
       const double share = *row.count_after / n;
       o.list.push_back({row, share, std::sqrt(std::max(share * (1.0 - share), 0.25 / n) / n)});
       continue;
@@ -203,13 +211,18 @@ double Observation::error(double model) const {
 
 double residual(const Observation& o, double predicted) {
   if (o.row.kind() != KatRow::Kind::retained_share) return o.error(predicted) / o.sigma;
-  const double n = *o.row.count_before;
   const double k = *o.row.count_after;
+  double n = *o.row.count_before;
+  double share = predicted;
+  if (o.row.area_ratio) {
+    n += k;
+    share = *o.row.area_ratio * predicted / (1.0 + *o.row.area_ratio * predicted);
+  }
   const auto term = [](double count, double expected) {
     return count > 0.0 ? count * std::log(count / expected) : 0.0;
   };
-  const double deviance = 2.0 * (term(k, n * predicted) + term(n - k, n * (1.0 - predicted)));
-  return std::copysign(std::sqrt(std::max(0.0, deviance)), predicted - k / n);
+  const double deviance = 2.0 * (term(k, n * share) + term(n - k, n * (1.0 - share)));
+  return std::copysign(std::sqrt(std::max(0.0, deviance)), share - k / n);
 }
 
 }  // namespace powderlink::analysis

@@ -4,7 +4,9 @@
 ///
 ///   critical diameter   r = (d_model/d_measured - 1)/sigma,  sigma relative
 ///   retained share      r^2 = deviance of k of n grains under the share p:
-///                       2 (k ln(k/(n p)) + (n - k) ln((n - k)/(n (1 - p)))), r > 0 where p > k/n
+///                       2 (k ln(k/(n p)) + (n - k) ln((n - k)/(n (1 - p)))), r > 0 where p > k/n;
+///                       two samples of areas 1 : a have k after, n before and after together, and
+///                       p = a s/(1 + a s) for the share s
 ///   residual speed      r = (u_model - u_measured)/sigma
 ///
 /// Retained share of a size class: mean of Phi(ln(d_c/d)/w) over ln d within the class, w = s/q, with s

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file grain_drops.h
+/// A table of drops that names tables of grains before and after each: rows of retained shares for a
+/// study (measurements.h). Paths are relative to the table. Classes as in retention_classes.h; without
+/// an area ratio it is that of the fit (retention_analysis.h).
+/// Tests: tests/analysis/grain_drops_test.cpp
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "analysis/measurements.h"
+
+namespace powderlink::analysis {
+
+bool is_grain_drops(const CsvTable& table);
+
+/// \param unknown  receives the names of columns that are not used
+std::vector<KatRow> grain_drop_rows(const CsvTable& table, std::vector<std::string>& unknown);
+
+}  // namespace powderlink::analysis

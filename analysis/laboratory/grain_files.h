@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file grain_files.h
+/// Diameters of the grains before and after a drop, from tables of grains (particles/particle_table.h).
+/// Both sets are read as one, so that different pixel sizes are refused between them too.
+/// Tests: tests/analysis/kat_analyse_command_test.cpp
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace powderlink::analysis {
+
+struct GrainFiles {
+  std::vector<std::string> before, after;  ///< names or patterns
+  std::optional<double> pixel_size_um{};
+  bool by_perimeter = false;  ///< d_P = 4 A/P instead of d_A = sqrt(4 A/pi)
+};
+
+struct GrainDiameters {
+  std::vector<double> before_um, after_um;
+  std::vector<std::string> before_files, after_files;
+  std::optional<double> pixel_size_um;
+  std::vector<std::string> notes;
+
+  /// Area seen after over that before, if every file shows the same area.
+  double ratio_of_files() const;
+};
+
+/// Throws InvalidInput for files that cannot be read and for a file that is in both lists.
+GrainDiameters read_grains(const GrainFiles& files);
+
+}  // namespace powderlink::analysis

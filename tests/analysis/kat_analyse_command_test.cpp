@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// `powderlink kat analyse` as users call it: contract of its JSON, study, figures, refusals.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/analysis/command_line.h"
+#include "tests/analysis/retention_sample.h"
+
+namespace powderlink::analysis {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// As ImageJ saves it, in pixels of 0.5 um.
+std::string image_table(const std::vector<double>& diameters_um) {
+  std::string text = " ,Area,Perim.\n";
+  for (std::size_t i = 0; i < diameters_um.size(); ++i) {
+    const double d = diameters_um[i] / 0.5;
+    text += fmt::format("{},{:.0f},{:.3f}\n", i + 1, 0.25 * M_PI * d * d, M_PI * d);
+  }
+  return text;
+}
+
+class KatAnalyse : public testing::Test {
+ protected:
+  KatAnalyse() { write({46.0, 0.08, 600}, 21); }
+  void write(const RetentionTruth& truth, unsigned seed) {
+    const RetentionSample s = draw_sample(truth, seed);
+    folder.write("before.csv", image_table(s.before_um));
+    folder.write("after.csv", image_table(s.after_um));
+  }
+  std::string file(const std::string& name) const { return (folder.path() / name).string(); }
+  CommandResult analyse(const std::string& more, const std::string& drop = drop_options()) const {
+    return powderlink("kat analyse --before " + file("before.csv") + " --after " +
+                      file("after.csv") + " " + drop + " " + more);
+  }
+  static std::string drop_options() {
+    return "--pixel-size-um 0.5 --velocity 1.4 --particle 316L --substrate UPVC";
+  }
+  /// Status 1, one message of four parts, nothing written.
+  void refused(const std::string& more, const std::string& drop,
+               const std::vector<std::string>& fragments) const {
+    folder.write("old.json", "old");
+    const CommandResult r =
+        analyse(more + " --json " + file("old.json") + " --study " + file("none.toml"), drop);
+    EXPECT_EQ(r.status, 1) << r.out << r.err;
+    for (const char* part : {"; given: ", "; allowed: ", "; to do: "})
+      EXPECT_NE(r.err.find(part), std::string::npos) << r.err;
+    for (const std::string& f : fragments) EXPECT_NE(r.err.find(f), std::string::npos) << r.err;
+    EXPECT_EQ(read_file(file("old.json")), "old");
+    EXPECT_FALSE(fs::exists(file("none.toml")) || fs::exists(file("none.csv")));
+  }
+  TestFolder folder;
+};
+
+TEST_F(KatAnalyse, WritesTheContract) {
+  const CommandResult r = analyse("--contact-time-us 100 --json " + file("kat.json"));
+  ASSERT_EQ(r.status, 0) << r.err;
+  const auto j = nlohmann::json::parse(read_file(file("kat.json")));
+  const auto& d = j.at("critical_diameter_um");
+  EXPECT_LE(d.at("low").get<double>(), 46.0);
+  EXPECT_GE(d.at("high").get<double>(), 46.0);
+  const auto& gamma = j.at("adhesive_energy_J_m2");
+  for (const char* name : {"energy", "rebound_time", "finite_stop"}) {
+    EXPECT_LE(gamma.at(name).at("low").get<double>(), gamma.at(name).at("value").get<double>());
+    EXPECT_NE(r.out.find(j.at("methods").at(0).at("assumption").get<std::string>()),
+              std::string::npos);
+  }
+  EXPECT_FALSE(gamma.contains("deceleration"));
+  ASSERT_TRUE(j.at("warnings").is_array());
+  EXPECT_NE(r.err.find("the methods disagree"), std::string::npos);
+  EXPECT_NE(r.out.find("2 ln L"), std::string::npos);
+}
+
+TEST_F(KatAnalyse, DrawsFigures) {
+  const CommandResult r = analyse("--out " + file("out"));
+  ASSERT_EQ(r.status, 0) << r.err;
+  EXPECT_TRUE(fs::exists(file("out/retained.csv")));
+  if (r.err.find("gnuplot") != std::string::npos) GTEST_SKIP() << "no gnuplot";
+  for (const char* name : {"out/sizes.svg", "out/retained.svg"})
+    EXPECT_NE(read_file(file(name)).find("</svg>"), std::string::npos);
+}
+
+TEST_F(KatAnalyse, GrowsAStudyThatCompareReads) {
+  for (const double velocity : {1.0, 1.4, 2.0, 2.8}) {
+    // A slow stop of 100 us: d_c ~ v^-1/2.
+    write({46.0 * std::sqrt(1.4 / velocity), 0.05, 800}, 30);
+    const CommandResult r =
+        analyse("--contact-time-us 100 --study " + file("s.toml"),
+                fmt::format("--pixel-size-um 0.5 --velocity {} --particle 316L --substrate UPVC",
+                            velocity));
+    ASSERT_EQ(r.status, 0) << r.err;
+  }
+  EXPECT_EQ(powderlink("add " + file("s.toml") + " finite_stop_pulse -o " + file("f.toml")).status,
+            0);
+  const CommandResult r = powderlink("compare " + file("f.toml") + " --json " + file("c.json"));
+  ASSERT_EQ(r.status, 0) << r.err;
+  const auto j = nlohmann::json::parse(read_file(file("c.json")));
+  EXPECT_EQ(j.at("verdict"), "agrees") << r.out;
+  EXPECT_NEAR(j.at("parameters").at("adhesive_energy_J_m2").get<double>(), 0.0825, 0.01);
+
+  const std::string before = read_file(file("s.csv"));
+  EXPECT_EQ(analyse("--contact-time-us 100 --study " + file("s.toml"),
+                    "--pixel-size-um 0.5 --velocity 2.8 --particle 316L --substrate UPVC")
+                .status,
+            1);                                               // in it already
+  EXPECT_EQ(analyse("--study " + file("s.toml")).status, 1);  // another table
+  EXPECT_EQ(analyse("--contact-time-us 100 --study " + file("s.toml"),
+                    "--pixel-size-um 0.5 --velocity 5 --particle 316L --substrate "
+                    "borosilicate_glass")
+                .status,
+            1);
+  EXPECT_EQ(read_file(file("s.csv")), before);
+}
+
+TEST_F(KatAnalyse, RefusesBadInput) {
+  refused("", "--pixel-size-um 0.5 --particle 316L --substrate UPVC",
+          {"impact velocity", "nothing"});
+  refused("", "--pixel-size-um 0.5 --velocity 1.4 --particle wood --substrate UPVC",
+          {"'wood'", "316L"});
+  refused("", "--velocity 1.4 --particle 316L --substrate UPVC", {"pixel size"});
+  refused("--contact-time-us 1e-4", drop_options(), {"contact time", "write 100"});
+  refused("--area-ratio 0", drop_options(), {"area after over area before"});
+  folder.write("after.csv", " ,Mean\n1,2\n");
+  refused("", drop_options(), {"after.csv"});
+  const RetentionSample s = draw_sample({46.0, 0.08, 600}, 22);
+  folder.write("after.csv", "# pixel_size_um: 0.25\n" + image_table(s.after_um));
+  refused("", drop_options(), {"pixel size", "0.25"});
+  folder.write("after.csv", image_table(s.before_um));
+  refused("", drop_options(), {"nothing left the plate"});
+  folder.write("before.csv", image_table(s.after_um));
+  refused("", drop_options(), {"exchange --before"});
+  folder.write("before.csv", image_table(s.before_um));
+  refused("--after " + file("before.csv"), drop_options(), {"in both"});
+  folder.write("after.png", "not a table");
+  refused("--after " + file("after.png"), drop_options(), {"a picture", "Fiji"});
+  folder.write("after.csv", " ,Area,Perim.\n");
+  refused("", drop_options(), {"after.csv", "a header without rows"});
+}
+
+TEST_F(KatAnalyse, TenThousandGrainsInTwoSeconds) {
+  write({46.0, 0.1, 10000}, 23);
+  rusage start{}, end{};
+  ::getrusage(RUSAGE_CHILDREN, &start);
+  ASSERT_EQ(analyse("").status, 0);
+  ::getrusage(RUSAGE_CHILDREN, &end);
+  const auto seconds = [](const timeval& t) {
+    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+  };
+  const double cpu = seconds(end.ru_utime) + seconds(end.ru_stime) - seconds(start.ru_utime) -
+                     seconds(start.ru_stime);
+  RecordProperty("cpu_s", fmt::format("{:.2f}", cpu));
+  fmt::print("10 000 grains before: {:.2f} s of CPU\n", cpu);
+#ifndef __SANITIZE_ADDRESS__
+  EXPECT_LT(cpu, 2.0);
+#endif
+}
+
+}  // namespace
+}  // namespace powderlink::analysis

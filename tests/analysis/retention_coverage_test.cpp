@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How often the 95 % interval of d_c holds it: sizes, numbers, widths and area ratios at random.
+#include <gtest/gtest.h>
+
+#include "analysis/laboratory/retention_analysis.h"
+#include "tests/analysis/retention_sample.h"
+
+namespace powderlink::analysis {
+namespace {
+
+constexpr int kCases = 100;
+/// Of 95 expected; 90 or fewer come by chance in 3 % of such tests.
+constexpr int kFewestInside = 90;
+
+class Coverage : public testing::TestWithParam<double> {};
+
+TEST_P(Coverage, TheIntervalHoldsTheTruth) {
+  int inside = 0;
+  int inside_largest = 0;
+  for (unsigned k = 0; k < kCases; ++k) {
+    std::mt19937_64 random(977 * k + static_cast<unsigned>(1e4 * GetParam()));
+    std::uniform_real_distribution<double> part;
+    RetentionTruth t;
+    t.width = GetParam();
+    t.grains = static_cast<int>(200.0 * std::pow(10.0, part(random)));  // 200 to 2000
+    t.critical_um = 20.0 * std::pow(4.0, part(random));
+    t.median_um = t.critical_um * (0.75 + 0.35 * part(random));
+    t.area_ratio = 0.7 + 0.8 * part(random);
+    const RetentionSample s = draw_sample(t, k + 1);
+    RetentionOptions options;
+    options.bootstrap_turns = 100;
+    const RetentionAnalysis a = analyse_retention(s.before_um, s.after_um, options);
+    inside += a.critical.low <= t.critical_um && t.critical_um <= a.critical.high ? 1 : 0;
+    inside_largest +=
+        a.largest_remaining.low <= t.critical_um && t.critical_um <= a.largest_remaining.high ? 1
+                                                                                              : 0;
+    EXPECT_LE(a.critical.low, a.critical.value);
+    EXPECT_GE(a.critical.high, a.critical.value);
+  }
+  RecordProperty("inside", inside);
+  RecordProperty("inside_largest", inside_largest);
+  EXPECT_GE(inside, kFewestInside);
+}
+
+INSTANTIATE_TEST_SUITE_P(Widths, Coverage, testing::Values(0.0, 0.01, 0.05, 0.15, 0.3));
+
+}  // namespace
+}  // namespace powderlink::analysis
