@@ -6,11 +6,16 @@
 namespace kat {
 
 const Console::Entry Console::kCommands[] = {
-    {"version", &Console::version},    {"status", &Console::status},
-    {"config", &Console::show_config}, {"set", &Console::set},
-    {"selftest", &Console::self_test}, {"arm", &Console::arm},
-    {"drop", &Console::drop},          {"abort", &Console::abort},
-    {"clear", &Console::clear},        {"report", &Console::report},
+    {"version", [](Console& c) { return c.version(); }},
+    {"status", [](Console& c) { return c.status(); }},
+    {"config", [](Console& c) { return c.show_config(); }},
+    {"set", [](Console& c) { return c.set(); }},
+    {"selftest", [](Console& c) { return c.self_test(); }},
+    {"arm", [](Console& c) { return c.arm(); }},
+    {"drop", [](Console& c) { return c.drop(); }},
+    {"abort", [](Console& c) { return c.abort(); }},
+    {"clear", [](Console& c) { return c.clear(); }},
+    {"report", [](Console& c) { return c.report(); }},
 };
 
 void Console::send(LineWriter line) {
@@ -40,7 +45,7 @@ void Console::command(Code trouble) {
 Code Console::run(const char* name) {
   for (const Entry& entry : kCommands) {
     if (!same_text(entry.name, name)) continue;
-    const Code code = (this->*entry.run)();
+    const Code code = entry.run(*this);
     if (code == Code::none) send(LineWriter("ok").text("cmd", name));
     return code;
   }

@@ -34,7 +34,7 @@ class Console {
   void poll();
 
  private:
-  typedef Code (Console::*Command)();
+  typedef Code (*Command)(Console&);
   struct Entry {
     const char* name;
     Command run;

@@ -153,11 +153,12 @@ TEST(Machine, ASecondDropForgetsTheFirst) {
 TEST(Machine, TheLargestOfSwitchesAndAccelerationIsKept) {
   Bench b;
   b.release();
-  int turn = 0;
+  const uint32_t switches_mV[] = {12000, 16000, 12000}, peaks_mg[] = {100, 900, 100};
+  std::size_t turn = 0;
   b.board.run(b.machine, 1000000, 500, [&] {
-    ++turn;
-    b.board.switches_mV = turn % 2 == 0 ? 12000 : 16000;
-    b.board.peak_mg = turn % 2 == 0 ? 100 : 900;
+    if (b.machine.state() < State::impact || turn == 3) return;
+    b.board.switches_mV = switches_mV[turn];
+    b.board.peak_mg = peaks_mg[turn++];
   });
   EXPECT_EQ(b.machine.last().switches, 2U);
   EXPECT_EQ(b.machine.last().peak_mg, 900U);
