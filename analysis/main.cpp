@@ -23,6 +23,7 @@ int run(int argc, char** argv) {
   kat->require_subcommand(1);
   analysis::add_kat_theory_command(*kat);
   analysis::add_kat_run_command(*kat);
+  analysis::add_kat_device_command(*kat);
   analysis::add_compare_command(app);
   analysis::add_diagnose_command(app);
   analysis::add_add_command(app);
