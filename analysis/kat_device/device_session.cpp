@@ -62,7 +62,7 @@ void DeviceSession::refused(const std::string& word, const kat::Line& line) cons
 kat::Line DeviceSession::next(const std::string& word, const std::string& last) {
   while (true) {
     const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(until_ - Clock::now());
-    const auto text = left.count() > 0 ? link_.read_line(left) : std::nullopt;
+    auto text = left.count() > 0 ? link_.read_line(left) : std::nullopt;
     if (!text) {
       throw InvalidInput(
           fmt::format("KAT device on {}: command {}", port_, word),
@@ -71,13 +71,17 @@ kat::Line DeviceSession::next(const std::string& word, const std::string& last) 
           "a device with this firmware that answers in time",
           "check that it is the right port and has the sketch; give more time with --wait");
     }
+    // Noise without an end, as after plugging in, stands before the first line; the checksum tells
+    // whether the rest is whole.
+    const std::size_t begin = text->rfind("KAT1 ");
+    if (begin != std::string::npos) text->erase(0, begin);
     lines_.push_back(*text);
     kat::Line line;
     if (line.parse(text->data(), static_cast<uint16_t>(text->size())) == kat::Code::none) {
       log_.take(*text);
       return line;
     }
-    // Noise between lines, as after plugging in, is not held against it; inside a report it is.
+    // Noise between lines is not held against it; a damaged line is.
     log_.take(*text);
   }
 }

@@ -164,6 +164,26 @@ TEST(KatDevice, DropsOverASerialPort) {
   expect_four_parts(powderlink(port + " --do drop"), "wrong_state");
 }
 
+TEST(KatDevice, EveryCodeKeyAndStateIsInTheManual) {
+  const std::string manual = read_file(POWDERLINK_MANUAL);
+  const auto there = [&](const std::string& name) {
+    EXPECT_NE(manual.find("| `" + name + "` |"), std::string::npos) << name;
+  };
+  for (uint8_t i = 1; i < static_cast<uint8_t>(kat::Code::count); ++i) {
+    const auto code = static_cast<kat::Code>(i);
+    there(kat::code_name(code));
+    EXPECT_NE(manual.find(kat::code_advice(code)), std::string::npos) << kat::code_name(code);
+  }
+  for (uint8_t i = 0; i < kat::kConfigKeys; ++i) there(kat::config_key(i).name);
+  for (uint8_t i = 0; i < static_cast<uint8_t>(kat::State::count); ++i)
+    there(kat::state_name(static_cast<kat::State>(i)));
+  for (const char* word :
+       {"version", "status", "config", "selftest", "arm", "drop", "abort", "clear", "report"}) {
+    kat::LineWriter line(word);
+    EXPECT_NE(manual.find(line.finish()), std::string::npos) << word;
+  }
+}
+
 TEST(KatDevice, ASilentOrMissingPortEnds) {
   kat::SimulatedDevice device;
   device.silent = true;
