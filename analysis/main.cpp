@@ -24,6 +24,7 @@ int run(int argc, char** argv) {
   analysis::add_kat_theory_command(*kat);
   analysis::add_kat_run_command(*kat);
   analysis::add_kat_analyse_command(*kat);
+  analysis::add_kat_device_command(*kat);
   analysis::add_compare_command(app);
   analysis::add_diagnose_command(app);
   analysis::add_add_command(app);

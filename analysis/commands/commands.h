@@ -13,6 +13,7 @@ namespace powderlink::analysis {
 void add_kat_analyse_command(CLI::App& kat);
 void add_kat_theory_command(CLI::App& kat);
 void add_kat_run_command(CLI::App& kat);
+void add_kat_device_command(CLI::App& kat);
 void add_add_command(CLI::App& app);
 void add_compare_command(CLI::App& app);
 void add_diagnose_command(CLI::App& app);

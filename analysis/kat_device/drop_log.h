@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file drop_log.h
+/// Drops out of lines of the KAT device, from a saved log or as they come. Lines that do not begin
+/// with KAT and lines of `#` are somebody's notes. A damaged line is InvalidInput with file and line,
+/// or, where that was asked for, a note, and the drop that it belongs to is left out.
+/// Tests: tests/analysis/kat_device_test.cpp
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "kat_firmware/core/kat_drop.h"
+
+namespace powderlink::analysis {
+
+struct LoggedDrop {
+  kat::Drop drop;
+  std::string place;  ///< "monday.log, line 12": where it ends
+};
+
+class DropLog {
+ public:
+  DropLog(std::string name, bool skip_damaged)
+      : name_(std::move(name)), skip_damaged_(skip_damaged) {}
+  /// One line without its end. Throws for a damaged one unless those are skipped.
+  void take(const std::string& line);
+  /// No line follows: throws, or notes, when a drop is cut.
+  void end();
+
+  const std::vector<LoggedDrop>& drops() const { return drops_; }
+  const std::vector<std::string>& notes() const { return notes_; }
+
+ private:
+  void damaged(const std::string& what, const std::string& given, const std::string& to_do);
+
+  std::string name_;
+  bool skip_damaged_;
+  int line_ = 0;
+  bool spoiled_ = false;  // lines up to the next drop belong to one that is broken
+  kat::DropReader reader_;
+  std::vector<LoggedDrop> drops_;
+  std::vector<std::string> notes_;
+};
+
+DropLog read_drop_log(const std::filesystem::path& file, bool skip_damaged);
+
+}  // namespace powderlink::analysis
