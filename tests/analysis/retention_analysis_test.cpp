@@ -72,7 +72,9 @@ TEST(RetentionClasses, HoldEveryGrainOnceAndEnoughBefore) {
   double before = 0.0, after = 0.0, last = 0.0;
   for (const RetentionClass& c : retention_classes(s.before_um, s.after_um)) {
     EXPECT_GE(c.before, kFewestBefore);
-    if (last > 0.0) EXPECT_NEAR(c.low_um / last, 1.0, 1e-12);
+    if (last > 0.0) {
+      EXPECT_NEAR(c.low_um / last, 1.0, 1e-12);
+    }
     last = c.high_um;
     before += c.before;
     after += c.after;
