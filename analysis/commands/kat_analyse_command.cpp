@@ -6,12 +6,14 @@
 
 #include "analysis/checks.h"
 #include "analysis/commands/commands.h"
+#include "analysis/commands/segmentation_options.h"
 #include "analysis/laboratory/contact_radii.h"
 #include "analysis/laboratory/drop_study.h"
 #include "analysis/laboratory/grain_files.h"
 #include "analysis/laboratory/kat_analysis_figures.h"
 #include "analysis/laboratory/kat_analysis_output.h"
 #include "analysis/material_library.h"
+#include "analysis/psd/grain_source.h"
 #include "analysis/write_file.h"
 
 namespace powderlink::analysis {
@@ -22,6 +24,7 @@ namespace {
 
 struct Options {
   GrainFiles files;
+  SegmentationOptions segmentation;
   double pixel_size_um = 0.0;
   std::string particle, substrate, contact_radii, diameter = "area";
   double velocity = 0.0, velocity_sigma = 0.0;
@@ -93,7 +96,13 @@ void run(const CLI::App& c, const Options& o) {
   GrainFiles files = o.files;
   files.by_perimeter = o.diameter == "perimeter";
   if (c.count("--pixel-size-um") > 0) files.pixel_size_um = o.pixel_size_um;
-  GrainDiameters grains = read_grains(files);
+  check_segmentation_options(o.segmentation);
+  std::vector<std::pair<std::string, std::string>> overlays;
+  GrainDiameters grains = read_grains(files, [&](const auto& names, const auto& pixel_size_um) {
+    GrainSource source = read_grain_source(names, pixel_size_um, o.segmentation, show_pictures);
+    overlays = std::move(source.overlays);
+    return std::move(source.set);
+  });
   for (const std::string& note : grains.notes) fmt::print(stderr, "powderlink: {}\n", note);
   input.retention = read_retention(c, o, grains);
   input.before_um = std::move(grains.before_um);
@@ -111,6 +120,7 @@ void run(const CLI::App& c, const Options& o) {
     }
     for (const auto& [name, content] : kat_analysis_tables(analysis, input))
       write_file(fs::path(o.out) / name, content);
+    for (const auto& [name, content] : overlays) write_file(fs::path(o.out) / name, content);
     if (!o.no_figures) notes = draw_kat_analysis(analysis, o.out);
   }
   if (!o.json.empty()) write_file(o.json, kat_analysis_json(analysis, input));
@@ -127,10 +137,12 @@ void run(const CLI::App& c, const Options& o) {
 
 void add_options(CLI::App& c, Options& o) {
   const std::string names = "known name: " + known_material_names();
-  c.add_option("--before", o.files.before, "tables of grains before the drop (or a quoted pattern)")
+  c.add_option("--before", o.files.before,
+               "tables or pictures of grains before the drop (patterns may be quoted)")
       ->required();
-  c.add_option("--after", o.files.after, "tables of grains after the drop")->required();
-  c.add_option("--pixel-size-um", o.pixel_size_um, "side of a pixel [um], for tables in pixels");
+  c.add_option("--after", o.files.after, "the same after the drop")->required();
+  c.add_option("--pixel-size-um", o.pixel_size_um,
+               "side of a pixel [um], for tables in pixels and pictures");
   c.add_option("--velocity", o.velocity, "impact velocity [m/s]");
   c.add_option("--particle", o.particle, names)->required();
   c.add_option("--substrate", o.substrate, names)->required();
@@ -161,7 +173,8 @@ void add_options(CLI::App& c, Options& o) {
   c.add_option("--bootstrap", o.turns, "turns of the bootstrap")->capture_default_str();
   c.add_option("--seed", o.seed, "of its random numbers")->capture_default_str();
   c.add_option("--json", o.json, "write the results to this file too");
-  c.add_option("--out", o.out, "write tables and figures into this folder");
+  c.add_option("--out", o.out, "write tables, figures and overlays of pictures into this folder");
+  add_segmentation_options(c, o.segmentation);
   c.add_flag("--no-figures", o.no_figures, "tables only");
   c.add_option("--study", o.study,
                "study file (TOML) to add the drop to, with its table beside it; made if absent");

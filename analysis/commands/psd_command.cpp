@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <CLI/CLI.hpp>
-#include <cstdio>
 #include <map>
 #include <memory>
 
 #include "analysis/commands/commands.h"
+#include "analysis/commands/segmentation_options.h"
 #include "analysis/psd/powder_inputs.h"
 #include "analysis/psd/psd_figures.h"
 #include "analysis/psd/psd_report.h"
@@ -28,7 +27,7 @@ struct Options {
   std::optional<double> bar_um, bar_px;
   double density_kg_m3 = 7980.0;
   int classes = 12;
-  bool no_figures = false, no_split = false;
+  bool no_figures = false;
 };
 
 std::optional<double> scale_from_bar(const Options& o) {
@@ -50,15 +49,7 @@ void check(const PsdOptions& o) {
                        fmt::format("{:g} and {:g}", o.min_um, o.max_um),
                        "0 or more, and the largest above the smallest", "correct them");
   }
-  const SegmentationOptions& s = o.segmentation;
-  if (!(s.level > 0.05 && s.level < 0.95)) {
-    throw InvalidInput("option --threshold", number_text(s.level), "0.05 to 0.95",
-                       "0.5 is the middle between background and grains");
-  }
-  if (!(s.least_px >= 3.0 && s.least_px <= 1000.0)) {
-    throw InvalidInput("option --min-pixels", number_text(s.least_px), "3 to 1000 pixels",
-                       "smaller ones are noise; 5 is usual");
-  }
+  check_segmentation_options(o.segmentation);
 }
 
 std::string text_of(const PsdReport& r) {
@@ -98,13 +89,7 @@ void run(Options o) {
   if (!o.json.empty()) require_folder_of(o.json);
   check(o.psd);
   if (const auto scale = scale_from_bar(o)) o.psd.pixel_size_um = scale;
-  o.psd.segmentation.split = !o.no_split;
-  const PsdReport report =
-      analyse_sizes(expand_patterns(o.files), o.psd, [](std::size_t done, std::size_t all) {
-        if (::isatty(STDERR_FILENO) == 0 || all < 2) return;
-        fmt::print(stderr, "\rpowderlink: {} of {} pictures ", done, all);
-        if (done == all) fmt::print(stderr, "\n");
-      });
+  const PsdReport report = analyse_sizes(expand_patterns(o.files), o.psd, show_pictures);
   std::vector<std::pair<std::string, std::string>> files = psd_tables(report);
   if (report.cut_number) {
     files.emplace_back("in.powder", liggghts_powder(report, o.density_kg_m3, o.classes));
@@ -153,19 +138,7 @@ void add_psd_command(CLI::App& app) {
   c->add_option("--min-diameter-um", psd.min_um, "leave out smaller grains; lower end of the law");
   c->add_option("--max-diameter-um", psd.max_um, "leave out larger grains; upper end of the law");
   c->add_flag("--drop-specks", psd.drop_specks, "leave out what is flagged as dust or noise");
-  static const std::map<std::string, GrainTone> tones = {
-      {"auto", GrainTone::automatic}, {"bright", GrainTone::bright}, {"dark", GrainTone::dark}};
-  c->add_option("--grains", psd.segmentation.tone, "pictures: auto, bright or dark (default: auto)")
-      ->transform(CLI::CheckedTransformer(tones));
-  c->add_option("--threshold", psd.segmentation.level,
-                "pictures: edge of grains, 0 background to 1 grains")
-      ->capture_default_str();
-  c->add_option("--min-pixels", psd.segmentation.least_px, "pictures: smallest diameter [pixels]")
-      ->capture_default_str();
-  c->add_option("--crop-bottom", psd.segmentation.crop_bottom,
-                "pictures: height of a legend [pixels]")
-      ->capture_default_str();
-  c->add_flag("--no-split", o->no_split, "pictures: keep touching grains together");
+  add_segmentation_options(*c, psd.segmentation);
   c->add_option("--replicates", psd.bootstrap.replicates, "of the bootstrap")
       ->capture_default_str();
   c->add_option("--seed", psd.bootstrap.seed, "of the bootstrap")->capture_default_str();

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <boost/algorithm/string/case_conv.hpp>
 
-#include "analysis/particles/particle_table.h"
 #include "models/invalid_input.h"
 
 namespace powderlink::analysis {
@@ -15,9 +14,8 @@ double GrainDiameters::ratio_of_files() const {
   return static_cast<double>(after_files.size()) / static_cast<double>(before_files.size());
 }
 
-namespace {
-
-void refuse_images(const std::vector<fs::path>& files) {
+ParticleSet read_tables_of_grains(const std::vector<fs::path>& files,
+                                  std::optional<double> pixel_size_um) {
   for (const fs::path& file : files) {
     std::string kind = file.extension().string();
     boost::algorithm::to_lower(kind);
@@ -29,29 +27,30 @@ void refuse_images(const std::vector<fs::path>& files) {
           "measure the grains first, by powderlink psd or in Fiji, and give its table");
     }
   }
+  return read_particle_tables(files, pixel_size_um);
 }
 
-}  // namespace
-
-GrainDiameters read_grains(const GrainFiles& given) {
-  std::vector<fs::path> files = expand_patterns(given.before);
-  const std::size_t before = files.size();
+GrainDiameters read_grains(const GrainFiles& given, const ParticleReader& reader) {
+  const std::vector<fs::path> before = expand_patterns(given.before);
+  std::vector<fs::path> files = before;
   for (const fs::path& file : expand_patterns(given.after)) {
-    if (std::find(files.begin(), files.end(), file) != files.end()) {
+    if (std::find(before.begin(), before.end(), file) != before.end()) {
       throw InvalidInput("files before and after the drop", file.string() + " in both",
                          "every file in one of them", "correct --before or --after");
     }
     files.push_back(file);
   }
-  refuse_images(files);
-  const ParticleSet set = read_particle_tables(files, given.pixel_size_um);
+  const ParticleSet set = reader(files, given.pixel_size_um);
   GrainDiameters d;
   d.pixel_size_um = set.pixel_size_um;
   d.notes = set.notes;
-  for (std::size_t i = 0; i < files.size(); ++i)
-    (i < before ? d.before_files : d.after_files).push_back(set.files[i]);
+  std::vector<bool> is_before;  // a reader may change the order
+  for (const std::string& file : set.files) {
+    is_before.push_back(std::find(before.begin(), before.end(), fs::path(file)) != before.end());
+    (is_before.back() ? d.before_files : d.after_files).push_back(file);
+  }
   for (const Particle& p : set.particles) {
-    (p.file < before ? d.before_um : d.after_um)
+    (is_before[p.file] ? d.before_um : d.after_um)
         .push_back(given.by_perimeter ? p.perimeter_diameter_um() : p.area_diameter_um());
   }
   return d;

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file grain_files.h
-/// Diameters of the grains before and after a drop, from tables of grains (particles/particle_table.h).
+/// Diameters of the grains before and after a drop, from tables of grains (particles/particle_table.h)
+/// or, with a reader that knows them, from micrographs (psd/grain_source.h).
 /// Both sets are read as one, so that different pixel sizes are refused between them too.
-/// Tests: tests/analysis/kat_analyse_command_test.cpp
+/// Tests: tests/analysis/kat_analyse_command_test.cpp, tests/psd/kat_pictures_test.cpp
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
+
+#include "analysis/particles/particle_table.h"
 
 namespace powderlink::analysis {
 
@@ -27,7 +31,15 @@ struct GrainDiameters {
   double ratio_of_files() const;
 };
 
+using ParticleReader = std::function<ParticleSet(const std::vector<std::filesystem::path>& files,
+                                                 std::optional<double> pixel_size_um)>;
+
+/// Tables only; refuses pictures, and says what makes tables of them.
+ParticleSet read_tables_of_grains(const std::vector<std::filesystem::path>& files,
+                                  std::optional<double> pixel_size_um);
+
 /// Throws InvalidInput for files that cannot be read and for a file that is in both lists.
-GrainDiameters read_grains(const GrainFiles& files);
+GrainDiameters read_grains(const GrainFiles& files,
+                           const ParticleReader& reader = read_tables_of_grains);
 
 }  // namespace powderlink::analysis

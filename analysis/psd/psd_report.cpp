@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/psd/grain_source.h"
 #include "models/invalid_input.h"
 
 namespace powderlink::analysis {
@@ -18,52 +19,6 @@ const std::vector<double> kShares = {0.1, 0.5, 0.9};
 constexpr double kSpeckReach = 6.0;     // interquartile ranges of ln d by mass below the quartile
 constexpr std::size_t kFewGrains = 30;  // fewer: percentile intervals are too narrow
 constexpr double kSmallMedian_px = 10.0;
-
-/// Grains of one micrograph, with its overlay.
-void add_micrograph(const fs::path& file, PsdReport& report) {
-  if (!report.options.pixel_size_um) {
-    throw InvalidInput(file.string() + ", pixel size", "a picture without a scale",
-                       "the side of a pixel in um",
-                       "give --pixel-size-um X, or --scale-bar-um L and --scale-bar-px N");
-  }
-  const double scale = *report.options.pixel_size_um;
-  const Micrograph m = read_micrograph(file);
-  const Segmentation found = segment(m, report.options.segmentation);
-  ParticleSet& set = report.set;
-  set.notes.insert(set.notes.end(), m.notes.begin(), m.notes.end());
-  set.notes.push_back(fmt::format(
-      "{}: {} whole grains; {} cut by the edge and {} smaller than {:g} pixels are left out",
-      m.file, found.grains.size(), found.cut.size(), found.specks,
-      report.options.segmentation.least_px));
-  int number = 0;
-  for (const GrainShape& g : found.grains) {
-    Particle p;
-    p.file = set.files.size();
-    p.place = ++number;
-    p.area_um2 = g.area_px * scale * scale;
-    p.perimeter_um = g.perimeter_px * scale;
-    p.aspect_ratio = g.aspect_ratio;
-    p.feret_um = g.feret_px * scale;
-    set.particles.push_back(p);
-  }
-  // The number keeps pictures of one name from different folders apart.
-  report.overlays.emplace_back(
-      fmt::format("overlay_{}_{}.png", report.overlays.size() + 1, file.stem().string()),
-      overlay_png(m, found));
-  set.files.push_back(file.string());
-}
-
-void read_all(const std::vector<fs::path>& files, PsdReport& report, const PsdProgress& progress) {
-  std::vector<fs::path> tables, pictures;
-  for (const fs::path& file : files) (looks_like_picture(file) ? pictures : tables).push_back(file);
-  report.set = read_particle_tables(tables, report.options.pixel_size_um);
-  if (!pictures.empty() && tables.empty()) report.set.pixel_size_um = report.options.pixel_size_um;
-  std::size_t done = 0;
-  for (const fs::path& picture : pictures) {
-    add_micrograph(picture, report);
-    if (progress) progress(++done, pictures.size());
-  }
-}
 
 void flag_specks(PsdReport& report) {
   std::vector<double> d;
@@ -148,10 +103,13 @@ double diameter_um(const Particle& p, DiameterKind kind) {
 }
 
 PsdReport analyse_sizes(const std::vector<fs::path>& files, const PsdOptions& options,
-                        const PsdProgress& progress) {
+                        const PictureProgress& progress) {
   PsdReport r;
   r.options = options;
-  read_all(files, r, progress);
+  GrainSource source =
+      read_grain_source(files, options.pixel_size_um, options.segmentation, progress);
+  r.set = std::move(source.set);
+  r.overlays = std::move(source.overlays);
   flag_specks(r);
   const std::size_t n = r.set.particles.size();
   if (n < 2) {

@@ -8,13 +8,13 @@
 #pragma once
 
 #include <array>
-#include <functional>
+#include <limits>
 #include <optional>
 
 #include "analysis/particles/bootstrap.h"
 #include "analysis/particles/particle_table.h"
 #include "analysis/particles/rosin_rammler.h"
-#include "analysis/psd/segmentation.h"
+#include "analysis/psd/grain_source.h"
 
 namespace powderlink::analysis {
 
@@ -52,11 +52,9 @@ struct PsdReport {
 
 double diameter_um(const Particle& particle, DiameterKind kind);
 
-using PsdProgress = std::function<void(std::size_t done, std::size_t all)>;
-
 /// Reads and measures. Throws for the first file that cannot be used, and for fewer than 2 grains.
 PsdReport analyse_sizes(const std::vector<std::filesystem::path>& files, const PsdOptions& options,
-                        const PsdProgress& progress = {});
+                        const PictureProgress& progress = {});
 
 std::string psd_json(const PsdReport& report);
 

@@ -18,7 +18,8 @@ struct Scene {
   int width = 1200, height = 900;
   double fraction = 0.15;  // of the area, aimed at
   double median_px = 28, log_std = 0.25, least_px = 10;
-  double touching = 0.0;  // share of grains that get a touching neighbour
+  double largest_px = 1e9;  // larger ones have left their places
+  double touching = 0.0;    // share of grains that get a touching neighbour
   double blur_px = 0.8, noise = 0.03;
   double light = 0.0;  // change of brightness from corner to corner
   bool bright = false;
@@ -66,6 +67,9 @@ inline Drawn draw(const Scene& s) {
     disks.push_back(second);
     area += M_PI * r * r;
   }
+  disks.erase(std::remove_if(disks.begin(), disks.end(),
+                             [&](const Disk& d) { return 2 * d.r > s.largest_px; }),
+              disks.end());
   Drawn out;
   cv::Mat share = cv::Mat::zeros(s.height, s.width, CV_32F), spot = share.clone();
   for (const Disk& d : disks) {
