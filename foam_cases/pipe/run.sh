@@ -88,10 +88,11 @@ start_coupled() {
 }
 
 # Mean of a column (x y z without brackets) over the times after a given one. A continued run has a
-# folder for each of its parts: the later part wins, as the end of an earlier one may be cut off.
+# folder for each of its parts: the later part wins, as the end of an earlier one may be cut off. One
+# that starts at the time of an earlier part writes NAME_TIME beside it.
 mean_after() {  # function object, file, column, time
   local parts
-  parts=$(find "postProcessing/$1" -name "$2" | sort -t/ -k3,3g)
+  parts=$(find "postProcessing/$1" -name "${2%.*}*.${2##*.}" | LC_ALL=C sort -t/ -k3,3g -k4)
   # shellcheck disable=SC2086  # names of our own, without blanks
   awk -v column="$3" -v from="$4" '
     /^#/ { next }

@@ -92,8 +92,9 @@ case $test in
     options=(--write-interval 0.0005 --end-time 0.002)
     run "${options[@]}"
     # Again and again one of the programs is killed: when the fluid begins to write its part of a
-    # checkpoint, when the particles begin theirs, and at some moment.
-    for round in powderFoam/0.001 liggghts/post/restart.3750 powderFoam/any liggghts/any; do
+    # checkpoint (twice, so that two runs go on from one time), when the particles begin theirs, and at
+    # some moment.
+    for round in powderFoam/0.001 powderFoam/0.001 liggghts/post/restart.3750 powderFoam/any liggghts/any; do
       kill_in_run "${round%%/*}" "${round#*/}"
     done
     run "${options[@]}" --out "$out/killed" --continue
