@@ -4,12 +4,13 @@
 # with the same mesh, gas, grains (positions, velocities, diameters) and pressure solver.
 #   powderlink  2 ms of warm-up, then 2 ms; each 5000 DEM steps
 #   CPU         of the fluid's program on its first rank, waiting for other ranks included
-#   stock       2 steps of warm-up, then N steps (default 10; MP-PIC 4 N) of 5 us; extrapolated to 1 ms
+#   stock       2 steps of warm-up, then N steps (default 10; MP-PIC 4 N) of 5 us; extrapolated to 1 ms;
+#               with our pressure solver, MP-PIC also with that of OpenFOAM's tutorials
 # MPPICFoam: 'build' (default) compiles it again (build_mppic.sh), as the packaged one diverges here.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 root=$(cd "$here/../.." && pwd)
-mppic=build layout=1+1 steps=10 stock_ranks=2 stock_dt_s=5e-6 time_limit_s=1800
+mppic=build layout=2+2 steps=10 stock_ranks=2 stock_dt_s=5e-6 time_limit_s=1800
 while [[ $# -gt 0 ]]; do
   case $1 in
     --mppic) mppic=${2:?}; shift 2 ;;
@@ -46,7 +47,7 @@ memory() {  # file, program
 }
 
 table=()
-row() { table+=("$(printf '%-14s %-16s %14s %8s %14s %14s %10s' "$@")"); }
+row() { table+=("$(printf '%-20s %-16s %14s %8s %14s %14s %10s' "$@")"); }
 
 cpu_s_per_ms() {  # log, from s, to s: by the fluid's program
   sed -E 's/^[0-9.]+ Time =/Time =/' "$1" | awk -v from="$2" -v to="$3" '
@@ -68,18 +69,19 @@ powderlink() {
   # Wall seconds of LIGGGHTS's clock from 2 to 4 ms.
   own_s=$(awk '$1 == 5000 { a = $2 } $1 == 10000 { b = $2 } END { printf "%.3f", (b - a)/2 }' \
     "$work/powderlink/case/log.liggghts")
-  share=$(sed -n -E 's/.*coupling share[^0-9]*([0-9.]+) *%.*/\1/p' "$work/powderlink/case/log.powderFoam" | tail -n 1)
+  share=$(sed -n -E 's/.*coupling share[^0-9]*([0-9]+\.?[0-9]?)[0-9]* *%.*/\1/p' "$work/powderlink/case/log.powderFoam" | tail -n 1)
   row "powderlink" "${layout%+*} DEM + ${layout#*+} CFD" "$own_s" 1 \
     "$(cpu_s_per_ms "$work/powderlink/case/log.powderFoam" 0.002 0.004)" \
     "$(memory "$work/memory" liggghts-powder)+$(memory "$work/memory" powderFoam)" "${share:--}"
 }
 
-stock() {  # name, program, steps
-  local folder=$work/$1 from=$work/powderlink/case fields
+stock() {  # name, program, steps, pressure solver: ours or tutorial
+  local folder=$work/$1.$4 from=$work/powderlink/case fields
   mkdir "$folder"
   cp -r "$here"/stock/* "$folder"
   cp "$here/$1"/constant/* "$folder/constant"
-  cp "$from"/system/{caseSettings,blockMeshDict,fvSolution,decomposeParDict} "$folder/system"
+  cp "$from"/system/{caseSettings,blockMeshDict,decomposeParDict} "$folder/system"
+  if [[ $4 == ours ]]; then cp "$from/system/fvSolution" "$folder/system"; fi
   cp -r "$from/constant/polyMesh" "$folder/constant"
   cd "$folder"
   # Gas and grains of the filled state at 2 ms.
@@ -123,7 +125,7 @@ stock() {  # name, program, steps
   local wall
   wall=$(awk -v dt="$stock_dt_s" '$2 == "End" || $2 == "Time" { t[++n] = $1 }
     END { printf "%.1f", (t[n] - t[3])/(n - 3)*1e-3/dt }' log.solver)
-  row "$1" "$stock_ranks" "$wall" "$(awk "BEGIN { printf \"%.0f\", $wall/$own_s }")" \
+  row "$1, $4" "$stock_ranks" "$wall" "$(awk "BEGIN { printf \"%.0f\", $wall/$own_s }")" \
     "$(cpu_s_per_ms log.solver "$(awk "BEGIN { print 2*$stock_dt_s }")" 1)" \
     "$(memory memory "$(basename "$2")")" -
 }
@@ -131,11 +133,13 @@ stock() {  # name, program, steps
 echo "gas alone, then 4 ms of powderlink ($layout ranks)..." >&2
 powderlink
 echo "DPMFoam, $((steps + 2)) steps..." >&2
-stock DPMFoam DPMFoam "$steps"
+stock DPMFoam DPMFoam "$steps" ours
 if [[ $mppic != no ]]; then
-  echo "MPPICFoam, $((4*steps + 2)) steps..." >&2
-  stock MPPICFoam "$mppic" $((4*steps))
+  for solver in ours tutorial; do
+    echo "MPPICFoam, $((4*steps + 2)) steps, pressure solver: $solver..." >&2
+    stock MPPICFoam "$mppic" $((4*steps)) $solver
+  done
 fi
-printf '%-14s %-16s %14s %8s %14s %14s %10s\n' solver ranks "wall s per ms" ratio "CPU s per ms" \
+printf '%-20s %-16s %14s %8s %14s %14s %10s\n' solver ranks "wall s per ms" ratio "CPU s per ms" \
   "MB/process" "coupling %"
 printf '%s\n' "${table[@]}"

@@ -219,8 +219,6 @@ Foam::bridgeMomentum::bridgeMomentum
         << (settings_.concurrent ? "concurrent" : "staggered") << ", "
         << (settings_.semiImplicit ? "semiImplicit" : "explicit") << nl
         << endl;
-    // Both programs read their cases in that time
-    timer_.lap(couplingTimer::wait);
 }
 
 
@@ -254,6 +252,10 @@ bool Foam::bridgeMomentum::startStep()
     timer_.lap(couplingTimer::fluid);
 
     const bool goesOn = link_.receiveParticles();
+    if (clock_.nExchanges() == 0)
+    {
+        timer_.start();
+    }
     timer_.lap(couplingTimer::wait);
     if (!goesOn)
     {

@@ -23,6 +23,14 @@ void Foam::couplingTimer::print
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+void Foam::couplingTimer::start()
+{
+    seconds_ = {};
+    reported_ = {};
+    last_ = clock::now();
+}
+
+
 void Foam::couplingTimer::reportInterval()
 {
     std::array<scalar, nParts> spent(seconds_);
@@ -41,12 +49,15 @@ void Foam::couplingTimer::report() const
     const scalar coupling =
         seconds_[search] + seconds_[sharing] + seconds_[interpolation]
       + seconds_[exchange];
-    const scalar all = coupling + seconds_[forces] + seconds_[fluid];
-    const scalar percent = 100/max(all, VSMALL);
+    const scalar own = coupling + seconds_[forces] + seconds_[fluid];
 
     print("of the run", seconds_);
-    Info<< "coupling share: " << percent*coupling << " %, with force laws "
-        << percent*(coupling + seconds_[forces]) << " %" << nl << endl;
+    Info<< "coupling share: "
+        << 100*coupling/max(own + seconds_[wait], VSMALL)
+        << " % of the coupled steps; of the work of this program "
+        << 100*coupling/max(own, VSMALL) << " %, with force laws "
+        << 100*(coupling + seconds_[forces])/max(own, VSMALL) << " %" << nl
+        << endl;
 }
 
 
