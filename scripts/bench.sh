@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# scripts/bench.sh [contact | kat | reduced | pipe]...: benchmarks side by side with the peers, as ratios.
+# scripts/bench.sh [contact | kat | reduced | laboratory | pipe]...: benchmarks side by side with the peers, as ratios.
 # Quote medians of a quiet machine; nothing here is a test.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -22,13 +22,18 @@ pipe() {
   POWDERLINK_BIN=$PWD/build/bin bench/pipe/run.sh
 }
 
+laboratory() {
+  echo "Particle sizes and critical diameter, processor time"
+  bench/laboratory/run.sh build/bin/powderlink build/test_bin/draw_spheres
+}
+
 parts=("$@")
-[[ ${#parts[@]} -gt 0 ]] || parts=(contact kat reduced pipe)
+[[ ${#parts[@]} -gt 0 ]] || parts=(contact kat reduced laboratory pipe)
 for part in "${parts[@]}"; do
   case $part in
-    contact | kat | reduced | pipe) "$part" && echo ;;
+    contact | kat | reduced | laboratory | pipe) "$part" && echo ;;
     *)
-      echo "bench; given: $part; allowed: contact, kat, reduced, pipe; to do: ./powderlink bench [PART]..." >&2
+      echo "bench; given: $part; allowed: contact, kat, reduced, laboratory, pipe; to do: ./powderlink bench [PART]..." >&2
       exit 2
       ;;
   esac

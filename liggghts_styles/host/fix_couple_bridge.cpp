@@ -107,57 +107,75 @@ void FixCoupleBridge::scale_forces() {
   }
 }
 
+/// What a step reads and writes of every particle, found once: the stores of one particle could change
+/// the pointers for the next, as far as the compiler knows.
+struct FixCoupleBridge::StepArrays {
+  StepArrays(const FluidProperties& p, const Atom& atom, const double (&sum)[3])
+      : step(p.step()),
+        pressure(p.pressure_force()),
+        reaction(p.reaction_impulse()),
+        v(atom.v),
+        omega(atom.omega),
+        rmass(atom.rmass),
+        added_mass(p.added_mass()),
+        impulse{sum[0], sum[1], sum[2]} {}
+  const double *const *step, *const *pressure;
+  double *const *reaction, *const *v, *const *omega;
+  const double *rmass, *added_mass;
+  double impulse[3];  ///< sum of the reactions
+};
+
 void FixCoupleBridge::relax() {
   newcomers_.clear();
-  double* const* step = properties_.step();
+  StepArrays all(properties_, *atom, impulse_);
   for (int i = 0; i < atom->nlocal; ++i) {
     if (!(atom->mask[i] & groupbit)) continue;
-    const double state = step[i][FluidProperties::kState];
+    const double state = all.step[i][FluidProperties::kState];
     if (state == FluidProperties::kNew) {
       newcomers_.push_back(i);
     } else if (state != FluidProperties::kNothing) {
-      move(i);
+      move(i, all);
     }
   }
-  if (newcomers_.empty()) return;
-  borrow_values(newcomers_);
+  if (!newcomers_.empty()) borrow_values(newcomers_);
   for (const int i : newcomers_) {
-    if (step[i][FluidProperties::kState] != FluidProperties::kNothing) move(i);
+    if (all.step[i][FluidProperties::kState] != FluidProperties::kNothing) move(i, all);
   }
+  std::copy(all.impulse, all.impulse + 3, impulse_);
 }
 
-inline void FixCoupleBridge::move(int i) {
+inline void FixCoupleBridge::move(int i, StepArrays& all) {
   if (atom->mask[i] & held_) {
-    hold(i);
+    hold(i, all);
     return;
   }
-  const double* step = properties_.step()[i];
-  const double* pressure = properties_.pressure_force()[i];
-  double* reaction = properties_.reaction_impulse()[i];
-  const double mass = atom->rmass[i] + (has_added_mass_ ? properties_.added_mass()[i] : 0.0);
-  double* v = atom->v[i];
+  const double* step = all.step[i];
+  const double* pressure = all.pressure[i];
+  double* reaction = all.reaction[i];
+  const double mass = all.rmass[i] + (has_added_mass_ ? all.added_mass[i] : 0.0);
+  double* v = all.v[i];
   for (int c = 0; c < 3; ++c) {
     const double after = step[FluidProperties::kA] * v[c] + step[FluidProperties::kD + c];
     const double impulse = mass * (after - v[c]) - dt_s_ * pressure[c];
     v[c] = after;
     reaction[c] += impulse;
-    impulse_[c] += impulse;
+    all.impulse[c] += impulse;
   }
   if (!spins_) return;
-  double* spin = atom->omega[i];
+  double* spin = all.omega[i];
   for (int c = 0; c < 3; ++c) {
     spin[c] = step[FluidProperties::kSpinA] * spin[c] + step[FluidProperties::kSpinD + c];
   }
 }
 
 /// A frozen atom keeps its velocity; what holds it takes the force, the fluid feels it all the same.
-void FixCoupleBridge::hold(int i) {
+void FixCoupleBridge::hold(int i, StepArrays& all) {
   const double drag = properties_.drag_coefficient()[i];
   for (int c = 0; c < 3; ++c) {
-    const double impulse = dt_s_ * (drag * (properties_.fluid_velocity()[i][c] - atom->v[i][c]) +
+    const double impulse = dt_s_ * (drag * (properties_.fluid_velocity()[i][c] - all.v[i][c]) +
                                     properties_.reacting_force()[i][c]);
-    properties_.reaction_impulse()[i][c] += impulse;
-    impulse_[c] += impulse;
+    all.reaction[i][c] += impulse;
+    all.impulse[c] += impulse;
   }
 }
 

@@ -79,9 +79,10 @@ class FixCoupleBridge : public LAMMPS_NS::Fix {
   LAMMPS_NS::FixPropertyAtom* release() const;
 
   // --- what the fluid does to a particle
+  struct StepArrays;
   void relax();
-  void move(int i);
-  void hold(int i);
+  void move(int i, StepArrays& all);
+  void hold(int i, StepArrays& all);
   void find_held_atoms();
   std::vector<int> nearest_lenders(const std::vector<int>& newcomers) const;
   void borrow_values(const std::vector<int>& newcomers);
