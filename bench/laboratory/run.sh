@@ -28,8 +28,8 @@ awk -v n=10000 -v work="$work" '
 
 TIMEFORMAT='%U %S'
 measure() {  # what, limit [s], command...
-  local best turn
-  best=$(for turn in 1 2 3; do { time "${@:3}" >"$work/log" 2>&1; } 2>&1; done |
+  local best
+  best=$(for _ in 1 2 3; do { time "${@:3}" >"$work/log" 2>&1; } 2>&1; done |
     awk '{ s = $1 + $2; if (NR == 1 || s < best) best = s } END { printf "%.2f", best }')
   printf '%-50s %8s s  limit %s\n' "$1" "$best" "$2"
 }
