@@ -8,6 +8,7 @@
 #include <cmath>
 #include <kainjow/mustache.hpp>
 
+#include "analysis/evidence/residual_checks.h"
 #include "analysis/evidence/verdict_words.h"
 #include "analysis/file_text.h"
 #include "analysis/report/inline_svg.h"

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "analysis/evidence/residual_checks.h"
 #include "analysis/report/quantity.h"
 #include "analysis/report/value_range.h"
 #include "analysis/units.h"
