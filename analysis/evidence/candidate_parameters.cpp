@@ -82,9 +82,10 @@ void judge_plausibility(Candidate& c, const Study& study) {
   std::vector<std::string> reasons;
   for (const ParameterEstimate& p : c.parameters) {
     if (!p.plausible()) {
-      reasons.push_back(fmt::format("{} = {:.3g} {} is outside {:g} to {:g} ({})", p.name, p.value,
-                                    unit_of(p.name), p.plausible_lower, p.plausible_upper,
-                                    p.source));
+      const std::string unit = unit_of(p.name);
+      reasons.push_back(fmt::format("{} = {:.3g}{} is outside {:g} to {:g} ({})", p.name, p.value,
+                                    unit == "-" ? "" : " " + unit, p.plausible_lower,
+                                    p.plausible_upper, p.source));
     }
     if (p.at_bound)
       reasons.push_back(fmt::format("{} stopped at a bound, {:.3g}", p.name, p.value));

@@ -1,7 +1,9 @@
 # Look of all figures: one column of a journal wide, colours for any colour vision and for grey print.
 # The same colours are in analysis/render/palette.h and scripts/paraview/kat_view.py.
 set encoding utf8
-set terminal svg size 720,540 enhanced font "Helvetica,Arial,DejaVu Sans,sans-serif,17" background "#FFFFFF" linewidth 1.4
+# A figure of another size says `set terminal svg size WIDTH,HEIGHT @look`: size alone would reset the rest.
+look = "enhanced font 'Helvetica,Arial,DejaVu Sans,sans-serif,17' background '#FFFFFF' linewidth 1.4"
+set terminal svg size 720,540 @look
 set border 31 linewidth 1.0 linecolor rgb "#1A1A1A"
 set tics in scale 0.9,0.5 textcolor rgb "#1A1A1A"
 set format "%g"
