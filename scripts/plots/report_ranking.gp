@@ -1,7 +1,7 @@
 # Ranking of explanations: evidence against the study's own model (BIC) and error on rows left out.
 # Called by powderlink report, which sets: table, output, rows, names (separated by
 # blanks), lowest and widest (of the evidence), most_loo (%).
-set terminal svg size 900,(152 + 34 * rows) @look
+set terminal svg size 900,(170 + 34 * rows) @look
 set output output
 set datafile separator ","
 set multiplot
@@ -16,13 +16,13 @@ colour_of(p) = p == 1 ? 0x4477AA : p == 0 ? 0xEE7733 : 0x999999
 signed(x) = abs(x) < 0.05 ? "0.0" : sprintf("%+.1f", x)
 filled = "solid 0.9 noborder"
 pale = "transparent solid 0.25 border linecolor rgb '#EE7733'"
-set bmargin at screen 80.0 / (152 + 34 * rows)
-set tmargin at screen 1 - 64.0 / (152 + 34 * rows)
+set bmargin at screen 80.0 / (170 + 34 * rows)
+set tmargin at screen 1 - 82.0 / (170 + 34 * rows)
 
 set lmargin at screen 0.29
 set rmargin at screen 0.655
 set xlabel "evidence: BIC of the study's model − BIC" font ",16"
-set xtics font ",15" autofreq
+set xtics font ",15" tic_step(lowest < 0 ? lowest : 0, widest > 0 ? widest : 1)
 set xrange [(lowest < 0 ? 1.25 * lowest : 0) : widest > 0 ? 1.22 * widest : 1]
 set ytics noenhanced scale 0 font ",16" ()
 set for [i=1:rows] ytics add (word(names, i) i)
@@ -39,6 +39,7 @@ unset arrow 1
 set lmargin at screen 0.71
 set rmargin at screen 0.985
 set xlabel "error on rows left out (%)" font ",16"
+set xtics tic_step(0, most_loo)
 set xrange [0 : 1.3 * most_loo]
 unset ytics
 plot table using (column('plausible') != 0 ? 0.5*column('loo_percent') : NaN):'row':(abs(0.5*column('loo_percent'))):(0.32):(colour_of(column('plausible'))) with boxxyerror fillstyle @filled linecolor rgb variable notitle, \

@@ -7,11 +7,7 @@ set lmargin at screen 0.19
 set rmargin at screen 0.96
 set bmargin at screen 0.23
 set tmargin at screen n_dem > 0 ? 0.87 : 0.96
-# At most six numbers: more would touch.
-round_step(s) = s <= 1 ? 1 : s <= 2 ? 2 : s <= 5 ? 5 : 10
-rough = (x_high - x_low) / 5.0
-decade = 10**floor(log10(rough))
-set xtics decade * round_step(rough / decade)
+set xtics tic_step(x_low, x_high)
 set mxtics 2
 set output output
 set datafile separator ","
