@@ -60,26 +60,8 @@ struct Candidate {
   bool at_bound() const;
 };
 
-/// Chance that the tests of a right model fail by accident, together.
-inline constexpr double kAlarm = 0.02;
-
-/// Residuals over an assumed noise that pass for noise: tables like these have 1 to 10 %.
-inline constexpr double kRmsOverAssumed = 2.0;
-
 /// BIC differences below this do not tell two explanations apart.
 inline constexpr double kApart = 2.0;
-
-/// Parameters of an effect beyond which dry solids do not go; Gamma has no entry in the registry.
-inline constexpr double kPlausibleEnergy_J_m2 = 10.0;
-
-/// Tests of residuals in sigmas against the study's columns, corrected for their number.
-std::vector<TrendTest> residual_tests(const Study& study, const Observations& observations,
-                                      const std::vector<double>& residuals, int fitted);
-
-/// The rule by which a model fails: a test fails at kAlarm, or, with an assumed noise, the residuals
-/// are more than kRmsOverAssumed times that noise.
-bool residuals_fail(const std::vector<TrendTest>& tests, const std::vector<double>& residuals,
-                    const Noise& noise);
 
 /// What BIC adds its penalty to.
 double score(const Observations& observations, double chi2);

@@ -10,6 +10,7 @@
 
 #include "analysis/critical_diameter.h"
 #include "analysis/evidence/diagnosis.h"
+#include "analysis/evidence/residual_checks.h"
 
 namespace powderlink::analysis {
 

@@ -8,6 +8,7 @@
 #include <limits>
 #include <utility>
 
+#include "analysis/evidence/residual_checks.h"
 #include "analysis/evidence/verdict_words.h"
 #include "models/effect_registry.h"
 

@@ -9,6 +9,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/SVD>
 #include <functional>
 #include <string>
 #include <vector>
@@ -52,25 +53,9 @@ FitSolution least_squares(const FitProblem& problem, const std::vector<double>& 
 FitSolution least_squares(const FitProblem& problem,
                           const std::vector<std::vector<double>>& starts);
 
-/// Leave-one-out residuals from one Gauss-Newton step without the row; r_i/(1 - h_ii) with the hat
-/// matrix h. A parameter that the row alone determines keeps its value.
-std::vector<double> leave_one_out(const FitSolution& solution);
+double sum_of_squares(const std::vector<double>& r);
 
-/// Interval of one parameter where chi^2, minimised over the others, rises by less than `rise`.
-/// An end that is not reached within the bounds is the bound.
-struct ProfileInterval {
-  double low = 0.0, high = 0.0;
-  bool open_low = false, open_high = false;  ///< the bound came first
-};
-ProfileInterval profile_interval(const FitProblem& problem, const FitSolution& solution,
-                                 std::size_t parameter, double rise);
-
-/// Correlation of the parameters; and directions that the data leave open.
-struct Uncertainty {
-  Eigen::MatrixXd correlation;
-  std::vector<double> sigma;      ///< in the parameters' coordinates
-  std::vector<std::string> flat;  ///< "a and b together", one text per open direction
-};
-Uncertainty uncertainty(const FitProblem& problem, const FitSolution& solution);
+/// Thin; of a jacobian.
+Eigen::JacobiSVD<Eigen::MatrixXd> decomposition(const Eigen::MatrixXd& jacobian);
 
 }  // namespace powderlink::analysis

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/evidence/fit_uncertainty.h"
 #include "models/effect_registry.h"
 
 namespace powderlink::analysis {

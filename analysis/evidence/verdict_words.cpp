@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/evidence/residual_checks.h"
 #include "analysis/units.h"
 
 namespace powderlink::analysis {

@@ -8,9 +8,12 @@
 #include <cctype>
 #include <cmath>
 #include <functional>
+#include <set>
+#include <utility>
 
 #include "analysis/evidence/verdict_words.h"
 #include "analysis/gnuplot.h"
+#include "analysis/report/column_title.h"
 #include "analysis/report/quantity.h"
 #include "analysis/report/report_words.h"
 #include "analysis/report/value_range.h"
@@ -91,23 +94,52 @@ double abscissa(const Observation& o) {
                                                          : o.row.diameter_um.value_or(NAN);
 }
 
+double velocity_of(const StudyResult& r, std::size_t i) {
+  return r.observations.list[i].row.impact_velocity_m_s;
+}
+
+/// Those of one kind by velocity, then by abscissa.
+std::vector<std::size_t> rows_of(const StudyResult& r, KatRow::Kind kind) {
+  std::vector<std::size_t> rows;
+  for (std::size_t i = 0; i < r.observations.list.size(); ++i) {
+    if (r.observations.list[i].row.kind() == kind) rows.push_back(i);
+  }
+  std::stable_sort(rows.begin(), rows.end(), [&](std::size_t a, std::size_t b) {
+    return std::pair(velocity_of(r, a), abscissa(r.observations.list[a])) <
+           std::pair(velocity_of(r, b), abscissa(r.observations.list[b]));
+  });
+  return rows;
+}
+
+/// How many velocities these rows have.
+std::size_t velocities_of(const StudyResult& r, KatRow::Kind kind) {
+  std::set<double> different;
+  for (const std::size_t i : rows_of(r, kind)) different.insert(velocity_of(r, i));
+  return different.size();
+}
+
 /// The rows of one kind; `x` and `y` grow to hold them.
 std::string rows_table(const StudyResult& r, KatRow::Kind kind, ValueRange& x, ValueRange& y) {
   std::string text =
       "impact_velocity_m_s,x,measured,sigma,model,residual_sigma,dem,dem_residual_sigma,hover,"
-      "dem_hover\n";
-  for (std::size_t i = 0; i < r.observations.list.size(); ++i) {
+      "dem_hover,velocity_label\n";
+  const std::vector<std::size_t> order = rows_of(r, kind);
+  for (std::size_t n = 0; n < order.size(); ++n) {
+    const std::size_t i = order[n];
     const Observation& o = r.observations.list[i];
-    if (o.row.kind() != kind) continue;
+    const bool last = n + 1 == order.size() || velocity_of(r, order[n + 1]) != velocity_of(r, i);
     x.add(abscissa(o));
     for (const double value : {o.measured - r.measured_sigma(i), o.measured + r.measured_sigma(i),
                                r.comparison.model[i], dem_um(r, i)})
       y.add(value);
-    text += fmt::format("{},{},{},{},{},{},{},{},{},{}\n", number(o.row.impact_velocity_m_s),
+    text += fmt::format("{},{},{},{},{},{},{},{},{},{},{}\n", number(o.row.impact_velocity_m_s),
                         number(abscissa(o)), number(o.measured), number(r.measured_sigma(i)),
                         number(r.comparison.model[i]), number(r.comparison.residuals[i]),
                         number(dem_um(r, i)), number(dem_residual(r, i)),
-                        hover_cell(row_hover(r, i)), hover_cell(dem_hover(r, i)));
+                        hover_cell(row_hover(r, i)), hover_cell(dem_hover(r, i)),
+                        hover_cell(last ? fmt::format("{:g} m/s", velocity_of(r, i)) : ""));
+    // Ends the line through the rows of one velocity.
+    if (last && kind != KatRow::Kind::critical_diameter) text += "\n";
   }
   return text;
 }
@@ -132,8 +164,9 @@ Figure draw_fit(const StudyResult& r, const Quantity& quantity, const Sheet& she
       "report_fit.gp",
       {sheet.table("table", "", rows), sheet.table("curve", "_curve", curve),
        "y_title=" + gnuplot_string(quantity.title),
-       fmt::format("one_curve={}; diameters={}; n_dem={}", one_curve ? 1 : 0, diameters ? 1 : 0,
-                   r.dem ? r.dem->model_um.size() : 0),
+       fmt::format("one_curve={}; diameters={}; n_dem={}; velocities={}", one_curve ? 1 : 0,
+                   diameters ? 1 : 0, r.dem ? r.dem->model_um.size() : 0,
+                   velocities_of(r, quantity.kind)),
        definitions(x, "x"), definitions(y, "y")},
       fmt::format("{}: measured {} with standard deviation, and the model {}{}.", r.study.name,
                   quantity.name,
@@ -148,7 +181,7 @@ struct Column {
 
 std::vector<Column> columns(const StudyResult& r) {
   std::vector<Column> list = {
-      {"impact_velocity_m_s", "impact velocity (m/s)",
+      {"impact_velocity_m_s", column_title("impact_velocity_m_s"),
        [](const Observation& o) { return o.row.impact_velocity_m_s; }},
       {"critical_diameter_um", "measured critical diameter (µm)",
        [](const Observation& o) { return o.row.critical_diameter_um.value_or(NAN); }},
@@ -157,7 +190,7 @@ std::vector<Column> columns(const StudyResult& r) {
       {"contact_time_us", "measured contact time (µs)",
        [](const Observation& o) { return o.row.contact_time_us.value_or(NAN); }}};
   for (const auto& [name, first] : r.observations.list.front().row.other) {
-    list.push_back({name, name, [key = name](const Observation& o) {
+    list.push_back({name, column_title(name), [key = name](const Observation& o) {
                       const auto found = o.row.other.find(key);
                       return found != o.row.other.end() ? found->second : NAN;
                     }});

@@ -8,8 +8,10 @@
 #include <cmath>
 #include <kainjow/mustache.hpp>
 
+#include "analysis/evidence/residual_checks.h"
 #include "analysis/evidence/verdict_words.h"
 #include "analysis/file_text.h"
+#include "analysis/report/column_title.h"
 #include "analysis/report/inline_svg.h"
 #include "analysis/report/quantity.h"
 #include "analysis/report/report_words.h"
@@ -106,7 +108,10 @@ Data rows(const StudyResult& r) {
     Data d;
     d.set("v", fmt::format("{:g}", o.row.impact_velocity_m_s));
     d.set("size", o.row.diameter_um ? fmt::format("{:g}", *o.row.diameter_um) : kNone);
-    d.set("quantity", std::string(quantity_of(o.row.kind()).name) + quantity_of(o.row.kind()).unit);
+    const Quantity& quantity = quantity_of(o.row.kind());
+    const std::string unit = quantity.unit;
+    d.set("quantity",
+          unit.empty() ? quantity.name : fmt::format("{} ({})", quantity.name, unit.substr(1)));
     d.set("measured", fmt::format("{:.4g}", o.measured));
     d.set("sigma", relative ? percent(o.sigma) : fmt::format("{:.2g}", o.sigma));
     d.set("model", fmt::format("{:.4g}", r.comparison.model[i]));
@@ -128,7 +133,7 @@ Data tests(const StudyResult& r) {
   Data list(Data::type::list);
   for (const TrendTest& t : r.comparison.tests) {
     Data d;
-    d.set("variable", t.variable);
+    d.set("variable", column_words(t.variable));
     d.set("test", t.test);
     d.set("p", number(t.p_value, 2));
     d.set("p_corrected", t.counts ? number(t.p_corrected, 2) : kNone);
@@ -163,8 +168,8 @@ Data study(const ReportPage& page, std::size_t i) {
   Data d;
   d.set("id", fmt::format("study-{}", i + 1));
   d.set("name", r.study.name);
-  d.set("particle", r.study.particle.name);
-  d.set("substrate", r.study.substrate.name);
+  d.set("particle", column_words(r.study.particle.name));
+  d.set("substrate", column_words(r.study.substrate.name));
   d.set("row_count", std::to_string(r.observations.list.size()));
   d.set("effects", r.effects().empty() ? "none" : r.effects());
   d.set("noise", typeset(r.observations.noise.text()));

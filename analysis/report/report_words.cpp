@@ -8,6 +8,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "analysis/evidence/residual_checks.h"
+#include "analysis/report/column_title.h"
 #include "analysis/report/quantity.h"
 #include "analysis/report/value_range.h"
 #include "analysis/units.h"
@@ -144,10 +146,11 @@ std::vector<std::string> trend_words(const StudyResult& r) {
   std::vector<std::string> words;
   for (const TrendTest& t : r.comparison.tests) {
     if (!t.counts || t.p_corrected >= kAlarm) continue;
-    const std::string what = t.test == "curve"  ? "over " + t.variable + " they lie on a curve"
-                             : t.test == "rank" ? "they rise or fall with " + t.variable
+    const std::string variable = column_words(t.variable);
+    const std::string what = t.test == "curve"  ? "over " + variable + " they lie on a curve"
+                             : t.test == "rank" ? "they rise or fall with " + variable
                              : t.test == "runs"
-                                 ? "neighbours in " + t.variable + " have the same sign too often"
+                                 ? "neighbours in " + variable + " have the same sign too often"
                                  : "they are larger than the stated noise allows";
     words.push_back(
         fmt::format("The residuals are not chance: {} (p = {:.1g}).", what, t.p_corrected));

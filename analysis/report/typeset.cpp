@@ -8,6 +8,14 @@ namespace powderlink::analysis {
 
 std::string typeset(std::string text) {
   static const std::pair<std::regex, const char*> signs[] = {
+      // A value follows, with its unit: the name need not tell it once more.
+      {std::regex(R"(\badhesive_energy_J_m2( = | stopped))"), "Γ$1"},
+      {std::regex(R"(\b([A-Za-z]\w*?)_(kg_m3|[JC]_m2|N_m|m_s|Pa|um|us|s|m|N) = )"), "$1 = "},
+      {std::regex(R"(\bGamma\b)"), "Γ"},
+      {std::regex(R"(\b(scatter|curve|rank|runs) over impact_velocity_m_s)"),
+       "$1 over impact velocity"},
+      {std::regex(R"(\b(curve) over diameter_um)"), "$1 over diameter"},
+      {std::regex(R"(\b(rank) over contact_time_us)"), "$1 over contact time"},
       {std::regex(R"(\bchi\^2)"), "χ²"},
       {std::regex(R"(\bdelta BIC)"), "ΔBIC"},
       {std::regex(R"(\^2\b)"), "²"},

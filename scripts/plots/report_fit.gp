@@ -2,7 +2,7 @@
 # DEM where it was run. Values on hover.
 # Called by powderlink report, which sets: table (rows), curve (model over velocity), output, scripts,
 # y_title, diameters (1: of critical diameters over velocity, 0: other kinds over the grains' diameter),
-# one_curve (0: rows differ in more than velocity, so that marks stand for the line), n_dem,
+# velocities (how many; rows of one follow each other, a blank line ends them), one_curve (0: rows differ in more than velocity, so that marks stand for the line), n_dem,
 # x_low, x_high, y_low, y_high (ranges of the data).
 set output output
 set datafile separator ","
@@ -12,15 +12,17 @@ if (diameters) {
   load scripts . '/log_axes.gp'
 } else {
   set xlabel "diameter {/:Italic d} of the grains (µm)"
-  set xrange [x_low - 0.06 * (x_high - x_low) - 1e-3 : x_high + 0.06 * (x_high - x_low) + 1e-3]
-  set yrange [y_low < 0 ? 1.08 * y_low : 0 : 1.08 * y_high + 1e-6]
+  # At the right: room for the velocities beside the last marks.
+  set xrange [x_low - 0.06 * (x_high - x_low) - 1e-3 : x_high + (velocities > 1 ? 0.17 : 0.06) * (x_high - x_low) + 1e-3]
+  set yrange [y_low < 0 ? 1.08 * y_low : -0.04 * y_high : 1.08 * y_high + 1e-6]
 }
 set key outside above center horizontal maxrows 2 Left reverse width 1
 set style fill transparent solid 0.22 noborder
 set style textbox noborder
 model_plot = one_curve ? \
-  "curve using 'velocity_m_s':'low_um':'high_um' with filledcurves linecolor rgb '#009988' title 'band of the fit (68 %)', curve using 'velocity_m_s':'diameter_um' with lines linestyle 2 dashtype 1 title 'model', " : \
-  "table using 'x':'model' with points pointtype 1 pointsize 2.2 linewidth 2 linecolor rgb '#009988' title 'model', "
+  "curve using 'velocity_m_s':'low_um':'high_um' with filledcurves linecolor rgb '#009988' title '68 % band', curve using 'velocity_m_s':'diameter_um' with lines linestyle 2 dashtype 1 title 'model', " : \
+  "table using 'x':'model' with " . (diameters ? "points" : "linespoints") . " pointtype 1 pointsize 1.6 linewidth 1.6 linecolor rgb '#009988' title 'model', " . \
+  (velocities > 1 && !diameters ? "table using 'x':'model':'velocity_label' with labels left offset 1.2,0 font ',15' textcolor rgb '#00776B' notitle, " : "")
 dem_plot = n_dem > 0 ? \
   "table using 'x':'dem' with points linestyle 3 pointtype 6 pointsize 1.3 title 'LIGGGHTS', table using 'x':'dem':'dem_hover' with labels hypertext point pointtype 7 pointsize 1.6 linecolor rgb '#FF4477AA' notitle, " : ""
 # Bars as arrows with flat heads: gnuplot's error bars blank what lies under their point.

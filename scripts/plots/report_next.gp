@@ -13,7 +13,9 @@ array colours[6] = ["#4477AA", "#AA3377", "#009988", "#BB9911", "#777777", "#1A1
 array dashes[6] = ["1", "(10,5)", "(3,3)", "(12,4,3,4)", "(2,5)", "(16,6)"]
 if (next_v > 0) {
   set arrow 1 from next_v, graph 0 to next_v, graph 1 nohead linecolor rgb ink linewidth 1.4 dashtype (6,4) back
-  set label 1 sprintf("next: %.3g m/s ", next_v) at next_v, graph 0.95 right font ",15"
+  # d_c falls with velocity: free are the corner below left and the one above right.
+  if (next_v * next_v < x_low * x_high) { set label 1 sprintf(" next: %.3g m/s", next_v) at next_v, graph 0.05 left font ",15" } \
+  else { set label 1 sprintf("next: %.3g m/s ", next_v) at next_v, graph 0.95 right font ",15" }
 }
 command = ""
 do for [i=1:n_curves] {
@@ -21,7 +23,7 @@ do for [i=1:n_curves] {
   command = command . sprintf("curves using 'velocity_m_s':'diameter_%d' with lines linewidth 2 linecolor rgb '%s' dashtype %s title '%s', ", i, colours[i], dashes[i], word(names, i))
 }
 if (next_v > 0) {
-  command = command . "points using 'velocity_m_s':'diameter_um' with points pointtype 9 pointsize 1.4 linecolor rgb ink title 'predicted at the proposed drop', "
+  command = command . "points using 'velocity_m_s':'diameter_um' with points pointtype 9 pointsize 1.4 linecolor rgb ink title 'at the proposed drop', "
   command = command . "points using 'velocity_m_s':'diameter_um':'hover' with labels hypertext point pointtype 7 pointsize 1.6 linecolor rgb '#FF1A1A1A' notitle, "
 }
 if (n_rows > 0) {

@@ -1,7 +1,14 @@
 # Residuals in standard deviations against one column; within the grey band the model fits.
 # Called by powderlink report, which sets: table, output, x_title, x_low, x_high, y_high (largest
 # residual), n_dem.
-set terminal svg size 430,330
+set terminal svg size 430,330 @look
+# One frame for all columns, so that panels beside each other match.
+set lmargin at screen 0.19
+set rmargin at screen 0.96
+set bmargin at screen 0.23
+set tmargin at screen n_dem > 0 ? 0.87 : 0.96
+set xtics tic_step(x_low, x_high)
+set mxtics 2
 set output output
 set datafile separator ","
 set xlabel x_title noenhanced

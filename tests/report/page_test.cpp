@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Drawings inside a page, and texts as it shows them.
+#include "analysis/report/column_title.h"
 #include "analysis/report/inline_svg.h"
 #include "analysis/report/report_figures.h"
 #include "analysis/report/typeset.h"
@@ -22,9 +23,19 @@ TEST(InlineSvg, OwnsItsIdsAndHasNoSize) {
 TEST(Typeset, WritesSignsForNames) {
   EXPECT_EQ(typeset("chi^2 1, 3 J/m^2, 5 um, delta BIC"), "χ² 1, 3 J/m², 5 µm, ΔBIC");
   EXPECT_EQ(typeset("critical_diameter_um, sum"), "critical_diameter_um, sum");
+  EXPECT_EQ(typeset("adhesive_energy_J_m2 = 2 J/m^2, v_star_m_s = 1 m/s, n = 3"),
+            "Γ = 2 J/m², v_star = 1 m/s, n = 3");
+  EXPECT_EQ(typeset("curve over impact_velocity_m_s"), "curve over impact velocity");
   EXPECT_EQ(sentence("a drop"), "A drop.");
   EXPECT_EQ(sentence("psd_cutoff: x"), "psd_cutoff: x.");
   EXPECT_EQ(parts("a; b"), (std::vector<std::string>{"a", "b"}));
+}
+
+TEST(ColumnTitle, HasWordsAndUnit) {
+  EXPECT_EQ(column_title("gamma_energy_J_m2"), "Γ energy (J/m²)");
+  EXPECT_EQ(column_title("rebound_time_ns"), "rebound time (ns)");
+  EXPECT_EQ(column_title("relative_humidity"), "relative humidity");
+  EXPECT_EQ(column_words("impact_velocity_m_s"), "impact velocity");
 }
 
 TEST(FigureNames, AreSafe) {
