@@ -1,4 +1,4 @@
-# awk -v end_s=T -f reference.awk post/particles_*.dump
+# awk -v end_s=T -v exchange_s=D -f reference.awk post/particles_*.dump post/states.dump
 # A sphere in u = G y e_x with drag 3 pi mu d (1 + 0.15 Re^0.687) (u - v) and lift
 #   1.615 d^2 sqrt(rho mu/G) f (u - v) x curl u,   f = (1 - a) exp(-Re/10) + a,
 #   a = 0.3314 sqrt(beta), beta = Re_w/(2 Re), Re_w = G d^2/nu   (Re < 40)
@@ -25,9 +25,10 @@ BEGIN {
 /^ITEM: ATOMS/ { rows = 1; next }
 /^ITEM/ { rows = 0 }
 # id type x y z vx vy vz radius mass reacting force x, y, drag coefficient
-rows && time < end_s/1e6 { x0 = $3; y0 = $4; vx0 = $6; vy0 = $7 }
-# The first dump that holds an exchange with a moving sphere; its values are those of its start.
-rows && time > end_s - 0.5*dem_step_s { x1 = $3; y1 = $4; vx1 = $6; vy1 = $7; fy1 = $12; k1 = $13 }
+rows && FILENAME !~ /states/ && time < end_s/1e6 { x0 = $3; y0 = $4; vx0 = $6; vy0 = $7 }
+# Lift and drag of the end were found one interval before, at the state of then.
+rows && FILENAME ~ /states/ && time > end_s - exchange_s - 0.5*dem_step_s && !seen { ye = $2; vxe = $3; vye = $4; seen = 1 }
+rows && FILENAME !~ /states/ && time > end_s - 0.5*dem_step_s { x1 = $3; y1 = $4; vx1 = $6; vy1 = $7; fy1 = $12; k1 = $13 }
 END {
   steps = 20000; h = end_s/steps
   x = x0; y = y0; vx = vx0; vy = vy0
@@ -41,9 +42,9 @@ END {
   }
   row("path_along", "m", x1 - x0, x - x0)
   row("path_across", "m", y1 - y0, y - y0)
-  row("velocity_along", "m/s", vx1, vx)
+  row("slip_along", "m/s", G*y1 - vx1, G*y - vx)
   row("velocity_across", "m/s", vy1, vy)
-  forces(y1, vx1, vy1)
+  forces(ye, vxe, vye)
   row("lift", "N", fy1, lift*slip)
   row("drag_coefficient", "kg/s", k1, k)
 }

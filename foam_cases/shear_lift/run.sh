@@ -24,5 +24,5 @@ while read -r name unit value expected; do
   esac
   foam_case_result "$name" "$unit" "$value" "$expected" "$tolerance" \
     "Saffman 1965, Mei 1992, Schiller-Naumann; equation of motion by Runge-Kutta"
-done < <(awk -v end_s="$end_s" -f "$reference" post/particles_*.dump)
+done < <(awk -v end_s="$end_s" -v exchange_s=1e-4 -f "$reference" post/particles_*.dump post/states.dump)
 foam_case_write shear_lift
