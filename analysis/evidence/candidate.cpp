@@ -67,9 +67,12 @@ Candidate fit(const Study& study, const Observations& observations, Setting s,
     if (s.calibrated) s.hypothesis = estimates;
     define_residuals(s, study, observations);
   }
-  const auto starts = near.empty()
-                          ? searched_starts(study, s, observations, cheap(study, s.hypothesis))
-                          : near_starts(s, observations, near);
+  std::vector<std::vector<double>> starts;
+  if (!near.empty()) starts = near_starts(s, observations, near);
+  if (added.size() < 2) {
+    const auto more = searched_starts(study, s, observations, cheap(study, s.hypothesis));
+    starts.insert(starts.end(), more.begin(), more.end());
+  }
   c.solution = solve(s, starts, study, observations);
   hold_what_is_not_needed(s, c.solution, study, observations);
 

@@ -66,9 +66,10 @@ inline constexpr double kApart = 2.0;
 /// What BIC adds its penalty to.
 double score(const Observations& observations, double chi2);
 
-/// Two added effects are estimated together (Hypothesis::estimated) and tried from `near`.
+/// Two added effects are estimated together (Hypothesis::estimated) and tried from `near` only; one or
+/// none is searched for within the bounds too.
 /// \param study, observations  must outlive the result
-/// \param near  explanations to start from; empty: the bounds are searched
+/// \param near  explanations to start from
 Candidate fit_candidate(const Study& study, const Observations& observations,
                         const std::vector<std::string>& added,
                         const std::vector<const Candidate*>& near = {});

@@ -14,12 +14,26 @@ constexpr int kEnergies = 25;  // values of the adhesive energy that are tried
 
 using Found = std::pair<double, std::vector<double>>;  // chi^2 and its values
 
-/// Ties keep the earlier one.
-std::vector<std::vector<double>> best_of(std::vector<Found> found, std::size_t most) {
+/// Of each valley the best; ties keep the earlier one. Where the adhesive energy is scanned (the first
+/// value), it tells valleys apart; else points with one energy and nearly one chi^2 are of one valley: an
+/// added effect that hardly acts has as many of them as its axis has values.
+std::vector<std::vector<double>> best_of(std::vector<Found> found, std::size_t most,
+                                         bool energy_scanned) {
+  constexpr double same = 0.01;  // of chi^2 and of the energy
   std::stable_sort(found.begin(), found.end(),
                    [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::vector<Found> kept;
+  for (Found& f : found) {
+    if (kept.size() == most) break;
+    const bool seen = std::any_of(kept.begin(), kept.end(), [&](const Found& k) {
+      return !f.second.empty() &&
+             std::fabs(f.second[0] - k.second[0]) <= same * std::fabs(k.second[0]) &&
+             (energy_scanned || std::fabs(f.first - k.first) <= same * k.first);
+    });
+    if (!seen) kept.push_back(std::move(f));
+  }
   std::vector<std::vector<double>> starts;
-  for (std::size_t i = 0; i < std::min(most, found.size()); ++i) starts.push_back(found[i].second);
+  for (Found& k : kept) starts.push_back(std::move(k.second));
   return starts;
 }
 
@@ -90,15 +104,15 @@ std::vector<std::vector<double>> searched_starts(const Study& study, const Setti
   const int turns = fast ? 8 : 4;
   std::size_t scanned = 0;
   for (const Slot& slot : s.slots) scanned += slot.effect >= 0 ? 1 : 0;
-  const bool few = !fast || !diameters_only(study);
+  const bool energy_scanned = !diameters_only(study);
+  const bool few = !fast || energy_scanned;
   const int points = scanned <= 1 ? (few ? 9 : 31) : (few ? 4 : 7);
   std::vector<std::vector<double>> grid = {{}};
   for (std::size_t j = 0; j < s.slots.size(); ++j) {
     const FitParameter& p = s.problem.parameters[j];
     std::vector<double> values = {p.start};
     // Shares and speeds say nothing about Gamma while every grain stays or every grain leaves.
-    if (s.slots[j].effect < 0 && !diameters_only(study))
-      values = grid_of(p, p.lower, p.upper, kEnergies);
+    if (s.slots[j].effect < 0 && energy_scanned) values = grid_of(p, p.lower, p.upper, kEnergies);
     if (s.slots[j].effect >= 0) values = grid_of(p, p.lower, p.upper, p.logarithmic ? points : 2);
     append_axis(grid, values);
   }
@@ -107,7 +121,7 @@ std::vector<std::vector<double>> searched_starts(const Study& study, const Setti
     auto [suited, chi2] = suit_energy(s, observations, values, turns);
     found.emplace_back(chi2, suited);
   }
-  return best_of(std::move(found), kStarts);
+  return best_of(std::move(found), kStarts, energy_scanned);
 }
 
 std::vector<std::vector<double>> near_starts(const Setting& s, const Observations& observations,
@@ -123,7 +137,10 @@ std::vector<std::vector<double>> near_starts(const Setting& s, const Observation
       if (known == nullptr && s.slots[j].effect >= 0) {
         values =
             p.logarithmic ? grid_of(p, p.lower, p.upper, points + 2) : std::vector<double>{p.start};
-        if (p.logarithmic) values = {values.begin() + 1, values.end() - 1};
+        if (p.logarithmic) {
+          values = {values.begin() + 1, values.end() - 1};
+          values.push_back(p.start);  // typical
+        }
       }
       append_axis(grid, values);
     }
@@ -132,7 +149,7 @@ std::vector<std::vector<double>> near_starts(const Setting& s, const Observation
       found.emplace_back(chi2, suited);
     }
   }
-  return best_of(std::move(found), kNearStarts);
+  return best_of(std::move(found), kNearStarts, false);
 }
 
 }  // namespace powderlink::analysis

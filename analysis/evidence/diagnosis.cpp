@@ -159,7 +159,8 @@ Diagnosis diagnose(const Study& study, const Observations& observations) {
       const bool there = std::any_of(study.effects.begin(), study.effects.end(),
                                      [&](const EffectChoice& e) { return e.name == name; });
       if (there || most_parameters(study, {name}) > observations.list.size()) continue;
-      Candidate c = fit_candidate(study, observations, {name});
+      // From the baseline too: an effect that hardly acts must not end in another valley than none.
+      Candidate c = fit_candidate(study, observations, {name}, {&baseline});
       c.acts = !same_predictions(c, baseline);
       if (!c.acts) c.why = "it cannot be seen in these measurements, or its best fit is to vanish";
       d.ranking.push_back(std::move(c));

@@ -144,5 +144,34 @@ TEST(Tables, BadCountsAreRefused) {
   }
 }
 
+/// Speeds have a kink where grains begin to leave, so that chi^2 has many valleys. An effect that can
+/// be switched off is never worse than none but for the parameters that BIC counts.
+TEST(ResidualSpeeds, AnEffectThatDoesNothingIsNotWorseThanNone) {
+  std::string csv =
+      "impact_velocity_m_s,diameter_um,residual_velocity_m_s,residual_velocity_sigma_m_s\n";
+  // d_c falls with the first power of v, and the speeds scatter.
+  constexpr double d_um[] = {88.2, 100.8, 126.0, 168.0, 218.4};  // at 1 m/s
+  constexpr double velocity[] = {1.0, 1.4, 2.2};
+  constexpr double speed[3][5] = {{0.29342, 0.47350, 0.69986, 0.81155, 0.87393},
+                                  {0.37185, 0.74363, 0.95480, 1.12110, 1.27335},
+                                  {0.62626, 1.06474, 1.49718, 1.86822, 1.94472}};
+  for (int k = 0; k < 3; ++k) {
+    for (int i = 0; i < 5; ++i) {
+      csv += fmt::format("{},{:.3f},{:.5f},{:.4f}\n", velocity[k], d_um[i] / velocity[k],
+                         speed[k][i], 0.02 * velocity[k]);
+    }
+  }
+  const TestFolder folder;
+  folder.write("speeds.csv", csv);
+  const Study s =
+      read_study(folder.write("study.toml", study_text("\"speeds.csv\"", "kat_critical_diameter")));
+  const Observations o = observe(s);
+  const Candidate none = fit_candidate(s, o, {});
+  for (const char* name : {"psd_cutoff", "electrostatic_image_force"}) {
+    const Candidate c = fit_candidate(s, o, {name}, {&none});
+    EXPECT_LE(c.bic, none.bic + c.fitted() * std::log(15.0)) << name;
+  }
+}
+
 }  // namespace
 }  // namespace powderlink::analysis
