@@ -105,15 +105,20 @@ std::string headline(const StudyResult& r) {
     case Verdict::ambiguous:
       break;
   }
-  std::vector<std::string> others;
+  const auto values = [](bool possible) {
+    return possible ? "with possible values" : "with values that are not possible";
+  };
+  std::vector<std::string> likewise, other;  // as possible as the best, and not
+  const bool possible = d.get(d.best).plausible;
   for (const std::string& name : d.indistinguishable) {
-    if (name != d.best) others.push_back(name);
+    if (name == d.best) continue;
+    (d.get(name).plausible == possible ? likewise : other).push_back(name);
   }
-  text += fmt::format(" {} would explain the difference{}", d.best,
-                      d.get(d.best).plausible ? " with possible values"
-                                              : ", but with values that are not possible");
-  return text + (others.empty() ? "; this is not certain."
-                                : fmt::format("; so would {}.", list_text(others)));
+  text += fmt::format(" {} would explain the difference {}", d.best, values(possible));
+  if (!likewise.empty()) text += fmt::format("; so would {}", list_text(likewise));
+  if (!other.empty())
+    text += fmt::format("; {} would too, {}", list_text(other), values(!possible));
+  return text + (likewise.empty() && other.empty() ? "; this is not certain." : ".");
 }
 
 std::vector<std::string> fit_words(const StudyResult& r) {
