@@ -9,6 +9,7 @@
 #include <mpi.h>
 
 #include "atom.h"
+#include "comm.h"
 #include "domain.h"
 #include "modify.h"
 #include "signal_handling.h"
@@ -133,24 +134,39 @@ void FixCoupleBridge::check_domains() const {
       " times as long as the mesh of the solver, along each axis: are both in m?");
 }
 
+/// Rows that this rank sends for particles that have vanished.
+std::size_t FixCoupleBridge::gone_rows() const { return comm->me == 0 ? gone_.size() : 0; }
+
+/// Rows of particles that have vanished have a place and an impulse, all else is zero.
 void FixCoupleBridge::fill(const bridge::FieldSpec& field, std::vector<double>& values) const {
+  const std::size_t all = rows_.size() + gone_rows();
   const auto scalars = [&](const double* from) {
-    values.resize(rows_.size());
+    values.assign(all, 0.0);
     for (std::size_t r = 0; r < rows_.size(); ++r) values[r] = from[rows_[r]];
   };
   const auto vectors = [&](double* const* from) {
-    values.resize(3 * rows_.size());
+    values.assign(3 * all, 0.0);
     for (std::size_t r = 0; r < rows_.size(); ++r) {
       std::copy(from[rows_[r]], from[rows_[r]] + 3, &values[3 * r]);
+    }
+  };
+  const auto of_gone = [&](auto member) {
+    for (std::size_t r = rows_.size(); r < all; ++r) {
+      const double* from = gone_[r - rows_.size()].*member;
+      std::copy(from, from + 3, &values[3 * r]);
     }
   };
   if (field == fields::velocity) vectors(atom->v);
   if (field == fields::spin) vectors(atom->omega);
   if (field == fields::radius) scalars(atom->radius);
   if (field == fields::density) scalars(atom->density);
-  if (field == fields::reaction_impulse) vectors(properties_.reaction_impulse());
+  if (field == fields::reaction_impulse) {
+    vectors(properties_.reaction_impulse());
+    of_gone(&VanishedParticle::impulse_N_s);
+  }
   if (!(field == fields::position)) return;
   vectors(atom->x);
+  of_gone(&VanishedParticle::place_m);
   // Between two rebuilds of the neighbour list atoms may stand a little beyond a periodic boundary.
   for (std::size_t c = 0; c < values.size(); ++c) {
     const std::size_t axis = c % 3;
@@ -170,19 +186,22 @@ void FixCoupleBridge::gather(std::vector<int>& destination,
     rows_.push_back(i);
     ids_.push_back(atom->tag[i]);
   }
+  for (std::size_t r = 0; r < gone_rows(); ++r) {
+    ids_.push_back(static_cast<std::int64_t>(gone_[r].id));
+  }
   std::vector<double> position;
   fill(fields::position, position);
-  destination.resize(rows_.size());
-  for (std::size_t r = 0; r < rows_.size(); ++r) {
+  destination.resize(ids_.size());
+  for (std::size_t r = 0; r < ids_.size(); ++r) {
     destination[r] = link_->rank_map().rank_of(&position[3 * r]);
   }
   const auto& plan = link_->plan().to_solver;
   for (std::size_t column = 0; column < plan.size(); ++column) {
     if (plan[column] == fields::id) {
-      columns.emplace_back(ids_.data(), rows_.size());
+      columns.emplace_back(ids_.data(), ids_.size());
     } else {
       fill(plan[column], sent_[column]);
-      columns.emplace_back(sent_[column].data(), rows_.size());
+      columns.emplace_back(sent_[column].data(), ids_.size());
     }
   }
 }
@@ -225,6 +244,7 @@ void FixCoupleBridge::store() {
   }
   for (const int i : rows_) {
     properties_.step()[i][FluidProperties::kState] = FluidProperties::kOwn;
+    remember_place(i);
     set_step(i);
   }
 }
@@ -240,16 +260,33 @@ void FixCoupleBridge::find_mean() {
   mean_ = sum;
 }
 
-/// What was given to all particles, less what those that are still here carry.
+/// What was given to all particles, less what was sent.
 void FixCoupleBridge::count_lost_impulse() {
   double lost[3] = {impulse_[0], impulse_[1], impulse_[2]};
   for (const int i : rows_) {
     for (int c = 0; c < 3; ++c) lost[c] -= properties_.reaction_impulse()[i][c];
   }
+  for (std::size_t r = 0; r < gone_rows(); ++r) {
+    for (int c = 0; c < 3; ++c) lost[c] -= gone_[r].impulse_N_s[c];
+  }
   MPI_Allreduce(MPI_IN_PLACE, lost, 3, MPI_DOUBLE, MPI_SUM, world);
   // The first exchange of a continued run sends what was collected before.
   if (next_exchange_ < 0) return;
   for (int c = 0; c < 3; ++c) lost_impulse_[c] += lost[c];
+}
+
+/// The impulses are complete, and it is known who has vanished. Collective.
+void FixCoupleBridge::settle() {
+  count_added_mass();
+  if (!leaving_.collect(world)) return;
+  const double* const* step = properties_.step();
+  for (int i = 0; i < atom->nlocal; ++i) {
+    const double state = step[i][FluidProperties::kState];
+    if (state != FluidProperties::kOwn && state != FluidProperties::kBorrowed) continue;
+    leaving_.see(atom->tag[i], state == FluidProperties::kBorrowed);
+  }
+  const std::vector<VanishedParticle> gone = leaving_.vanished(world);
+  gone_.insert(gone_.end(), gone.begin(), gone.end());
 }
 
 void FixCoupleBridge::end_by_solver(bigint step) {
@@ -264,6 +301,7 @@ void FixCoupleBridge::end_by_solver(bigint step) {
 void FixCoupleBridge::exchange(bigint step) {
   const double start = MPI_Wtime();
   if (checkpoint_is_due_) go_home(step);
+  settle();
   bridge::SolverWord word;
   try {
     std::vector<int> destination;
@@ -272,8 +310,8 @@ void FixCoupleBridge::exchange(bigint step) {
     link_->send_particles(step, static_cast<double>(step) * dt_s_, destination, columns);
     std::vector<bridge::MutableColumnView> room;
     for (std::size_t column = 0; column < got_.size(); ++column) {
-      got_[column].resize(rows_.size() * link_->plan().to_dem[column].shape.components());
-      room.emplace_back(got_[column].data(), rows_.size());
+      got_[column].resize(ids_.size() * link_->plan().to_dem[column].shape.components());
+      room.emplace_back(got_[column].data(), ids_.size());
     }
     word = link_->receive_values(room);
   } catch (const bridge::BridgeError& problem) {
@@ -295,6 +333,7 @@ void FixCoupleBridge::exchange(bigint step) {
     for (int c = 0; c < 3; ++c) properties_.reaction_impulse()[i][c] = 0.0;
   }
   std::fill(impulse_, impulse_ + 3, 0.0);
+  gone_.clear();
   next_exchange_ = step + options_.every;
 }
 

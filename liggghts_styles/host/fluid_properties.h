@@ -23,6 +23,9 @@ class FluidProperties {
   /// Columns of the hidden property `couplingKept`, valid at a checkpoint only: what LIGGGHTS makes
   /// anew at the start of a run. The step of release is that of fix insert/stream.
   enum Kept { kForce, kTorque = kForce + 3, kRelease = kTorque + 3, kKeptColumns };
+  /// Columns of the hidden property `couplingPlace`: the particle at the last exchange, or when it
+  /// came; the velocity is the last one whose gain the impulse has.
+  enum Place { kId, kPosition, kVelocity = kPosition + 3, kPlaceColumns = kVelocity + 3 };
   /// What column kState says; new atoms have kNew.
   enum State { kNew = 0, kOwn = 1, kBorrowed = 2, kNothing = 3 };
 
@@ -51,6 +54,7 @@ class FluidProperties {
   double* added_mass() const { return all_[10]->vector_atom; }
   double** step() const { return all_[11]->array_atom; }
   double** kept() const { return all_[12]->array_atom; }
+  double** place() const { return all_[13]->array_atom; }
 
  private:
   LAMMPS_NS::LAMMPS* lmp_;

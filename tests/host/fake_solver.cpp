@@ -132,7 +132,10 @@ class Gas {
 };
 
 void log_exchange(std::FILE* file, MPI_Comm local, const bridge::ParticleTable& table) {
-  double sums[4] = {double(table.particles), 0.0, 0.0, 0.0};
+  double sums[4] = {0.0, 0.0, 0.0, 0.0};
+  for (const double radius : table.fields[4].values<double>()) {
+    if (radius > 0.0) ++sums[0];  // the others have vanished
+  }
   const auto& impulse = table.fields[6].values<double>();
   for (std::size_t i = 0; i < impulse.size(); ++i) sums[1 + i % 3] += impulse[i];
   double all[4] = {0, 0, 0, 0};

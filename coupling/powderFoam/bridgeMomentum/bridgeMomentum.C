@@ -331,7 +331,7 @@ void Foam::bridgeMomentum::endStep()
     timer_.lap(couplingTimer::fluid);
     if (settings_.twoWay)
     {
-        account_.endInterval(rows_);
+        account_.endInterval();
         timer_.lap(couplingTimer::sharing);
     }
     if (answerIsDue_)
