@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstring>
 #include <filesystem>
-#include <limits>
 
 #include <mpi.h>
 
@@ -265,61 +264,29 @@ void FixCoupleBridge::set_step(int i) {
   for (int c = 0; c < 3; ++c) step[FluidProperties::kSpinD + c] = turn.d[c];
 }
 
-/// Of every newcomer the nearest particle with values of its own, or -1. Newcomers appear together, so
-/// that most particles are farther from the box around them than the nearest one of each.
-std::vector<int> FixCoupleBridge::nearest_lenders(const std::vector<int>& newcomers) const {
-  constexpr double kFar = std::numeric_limits<double>::max();
-  double low[3] = {kFar, kFar, kFar};
-  double high[3] = {-kFar, -kFar, -kFar};
-  for (const int i : newcomers) {
-    for (int c = 0; c < 3; ++c) {
-      low[c] = std::min(low[c], atom->x[i][c]);
-      high[c] = std::max(high[c], atom->x[i][c]);
-    }
-  }
-
-  std::vector<int> nearest(newcomers.size(), -1);
-  std::vector<double> least(newcomers.size(), kFar);
-  double farthest = kFar;  // the largest of least
-  const double* const* step = properties_.step();
-  for (int j = 0; j < atom->nlocal; ++j) {
-    const double* x = atom->x[j];
-    double to_box = 0.0;
-    for (int c = 0; c < 3; ++c) {
-      const double outside = std::max({low[c] - x[c], x[c] - high[c], 0.0});
-      to_box += outside * outside;
-    }
-    if (to_box >= farthest || !(atom->mask[j] & groupbit) ||
-        step[j][FluidProperties::kState] != FluidProperties::kOwn) {
+/// Those that have values of their own, as they stand when the first newcomer since the last exchange
+/// asks: their values hold until the next one.
+void FixCoupleBridge::find_lenders() {
+  for (int i = 0; i < atom->nlocal; ++i) {
+    if (!(atom->mask[i] & groupbit) ||
+        properties_.step()[i][FluidProperties::kState] != FluidProperties::kOwn) {
       continue;
     }
-    for (std::size_t n = 0; n < newcomers.size(); ++n) {
-      const double* own = atom->x[newcomers[n]];
-      double distance2 = 0.0;
-      for (int c = 0; c < 3; ++c) distance2 += (own[c] - x[c]) * (own[c] - x[c]);
-      if (distance2 < least[n]) {
-        least[n] = distance2;
-        nearest[n] = j;
-      }
-    }
-    farthest = *std::max_element(least.begin(), least.end());
+    lenders_.add(atom->x[i], FluidLoan(properties_, i, atom->radius[i]));
   }
-  return nearest;
+  lenders_.order();
 }
 
 void FixCoupleBridge::borrow_values(const std::vector<int>& newcomers) {
-  const std::vector<int> lenders = nearest_lenders(newcomers);
+  if (!lenders_.ordered()) find_lenders();
   double* const* step = properties_.step();
-  for (std::size_t n = 0; n < newcomers.size(); ++n) {
-    const int i = newcomers[n];
-    const int nearest = lenders[n];
-    if (nearest < 0 && coupled_ == 0.0) {
+  for (const int i : newcomers) {
+    const FluidLoan* loan = lenders_.nearest(atom->x[i]);
+    if (!loan && coupled_ == 0.0) {
       step[i][FluidProperties::kState] = FluidProperties::kNothing;
       continue;
     }
-    const FluidLoan loan =
-        nearest < 0 ? mean_ : FluidLoan(properties_, nearest, atom->radius[nearest]);
-    loan.give(properties_, i, atom->radius[i]);
+    (loan ? *loan : mean_).give(properties_, i, atom->radius[i]);
     step[i][FluidProperties::kState] = FluidProperties::kBorrowed;
     remember_place(i);
     set_step(i);

@@ -15,7 +15,7 @@
 /// forces count m/(m + m_a). Of particles that have vanished it goes as a row of its own, without a radius
 /// (host/leaving_particles.h); of what contacts did to them in their last step, m_a is not counted.
 /// New particles between exchanges take over the values of the nearest particle of their rank that
-/// has its own: fluid velocity, spin and fraction as they are, drag coefficient times the ratio of
+/// has its own and is in the fluid: fluid velocity, spin and fraction as they are, drag coefficient times the ratio of
 /// diameters, rotational drag its cube, pressure force and added mass the ratio of volumes, no other
 /// force (host/fluid_loan.h). Where the rank has none, the mean of all particles at the last exchange
 /// is taken; when there were none at all, nothing acts until the next exchange.
@@ -35,6 +35,7 @@
 #include "coupling/bridge/coupling_link.h"
 #include "host/bridge_checkpoint.h"
 #include "host/couple_bridge_options.h"
+#include "host/fluid_lenders.h"
 #include "host/fluid_loan.h"
 #include "host/fluid_properties.h"
 #include "host/leaving_particles.h"
@@ -71,6 +72,7 @@ class FixCoupleBridge : public LAMMPS_NS::Fix {
   std::size_t gone_rows() const;
   void fill(const bridge::FieldSpec& field, std::vector<double>& values) const;
   void check_values() const;
+  bool is_in_fluid(std::size_t row) const;
   void store();
   void find_mean();
   void count_lost_impulse();
@@ -93,7 +95,7 @@ class FixCoupleBridge : public LAMMPS_NS::Fix {
   void count_added_mass();
   void remember_place(int i);
   void find_held_atoms();
-  std::vector<int> nearest_lenders(const std::vector<int>& newcomers) const;
+  void find_lenders();
   void borrow_values(const std::vector<int>& newcomers);
   void set_step(int i);
   void scale_forces();
@@ -121,7 +123,8 @@ class FixCoupleBridge : public LAMMPS_NS::Fix {
   std::vector<std::int64_t> ids_;
   std::vector<std::vector<double>> sent_, got_;  ///< by column
   std::vector<int> newcomers_;
-  double coupled_ = 0.0;  ///< particles of all ranks at the last exchange
+  FluidLenders lenders_;  ///< since the last exchange, if there were newcomers
+  double coupled_ = 0.0;  ///< particles of all ranks in the fluid at the last exchange
   FluidLoan mean_;        ///< of them
 };
 

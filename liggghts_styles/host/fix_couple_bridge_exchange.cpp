@@ -229,6 +229,19 @@ void FixCoupleBridge::check_values() const {
        "diverged; lower its time step");
 }
 
+/// The solver sends zeros to particles outside its mesh, and the fluid fraction 1.
+bool FixCoupleBridge::is_in_fluid(std::size_t row) const {
+  const auto& plan = link_->plan().to_dem;
+  for (std::size_t column = 0; column < plan.size(); ++column) {
+    if (plan[column] == fields::fluid_fraction) continue;
+    const std::size_t n = plan[column].shape.components();
+    for (std::size_t k = n * row; k < n * (row + 1); ++k) {
+      if (got_[column][k] != 0.0) return true;
+    }
+  }
+  return false;
+}
+
 void FixCoupleBridge::store() {
   const auto& plan = link_->plan().to_dem;
   for (std::size_t column = 0; column < plan.size(); ++column) {
@@ -242,8 +255,10 @@ void FixCoupleBridge::store() {
       }
     }
   }
-  for (const int i : rows_) {
-    properties_.step()[i][FluidProperties::kState] = FluidProperties::kOwn;
+  for (std::size_t r = 0; r < rows_.size(); ++r) {
+    const int i = rows_[r];
+    properties_.step()[i][FluidProperties::kState] =
+        is_in_fluid(r) ? FluidProperties::kOwn : FluidProperties::kNothing;
     remember_place(i);
     set_step(i);
   }
@@ -252,8 +267,12 @@ void FixCoupleBridge::store() {
 /// For new particles on a rank that has none.
 void FixCoupleBridge::find_mean() {
   FluidLoan sum;
-  for (const int i : rows_) sum.add(FluidLoan(properties_, i, atom->radius[i]));
-  coupled_ = static_cast<double>(rows_.size());
+  coupled_ = 0.0;
+  for (const int i : rows_) {
+    if (properties_.step()[i][FluidProperties::kState] != FluidProperties::kOwn) continue;
+    sum.add(FluidLoan(properties_, i, atom->radius[i]));
+    ++coupled_;
+  }
   MPI_Allreduce(MPI_IN_PLACE, &coupled_, 1, MPI_DOUBLE, MPI_SUM, world);
   MPI_Allreduce(MPI_IN_PLACE, sum.data(), FluidLoan::size(), MPI_DOUBLE, MPI_SUM, world);
   if (coupled_ > 0.0) sum.divide(coupled_);
@@ -334,6 +353,7 @@ void FixCoupleBridge::exchange(bigint step) {
   }
   std::fill(impulse_, impulse_ + 3, 0.0);
   gone_.clear();
+  lenders_.clear();
   next_exchange_ = step + options_.every;
 }
 

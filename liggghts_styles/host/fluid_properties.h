@@ -26,7 +26,8 @@ class FluidProperties {
   /// Columns of the hidden property `couplingPlace`: the particle at the last exchange, or when it
   /// came; the velocity is the last one whose gain the impulse has.
   enum Place { kId, kPosition, kVelocity = kPosition + 3, kPlaceColumns = kVelocity + 3 };
-  /// What column kState says; new atoms have kNew.
+  /// What column kState says; new atoms have kNew. kNothing: outside the mesh of the solver, or new
+  /// when the solver knew none.
   enum State { kNew = 0, kOwn = 1, kBorrowed = 2, kNothing = 3 };
 
   explicit FluidProperties(LAMMPS_NS::LAMMPS* lmp) : lmp_(lmp) {}

@@ -125,6 +125,38 @@ TEST(CoupleBridge, NewParticlesTakeTheDragOfTheirNeighbourAtOnce) {
   EXPECT_GT(borrowed, 10);
 }
 
+TEST(CoupleBridge, NewParticlesTakeTheValuesOfTheNearestInTheFluid) {
+  const LiggghtsCase c("couple_newcomers_nearest");
+  // The wind says whose it is; the solver tells nothing of those below z = 0.
+  const Outcome o = c.couple(with_stream(c, 1e-3) + kGas + dump_lines(1) + "run 300\n",
+                             {interval() + "labels=1 above=0 box=-1e-3,1e-3"});
+  ASSERT_EQ(o.status, 0) << o.output;
+  const auto dump = read_dump(c.folder() / "all.dump");
+  int borrowed = 0, outside = 0;
+  for (long step = 1; step < 300; ++step) {
+    for (const auto& [id, row] : dump.at(step)) {
+      outside += row[kState] == 3.0 ? 1 : 0;
+      if (row[kState] != 0.0 || step % kEvery == 0 || dump.at(step + 1).count(id) == 0) continue;
+      long nearest = -1;
+      double least = 1.0;
+      for (const auto& [other, place] : dump.at(step)) {
+        if (place[kState] != 1.0) continue;
+        double distance2 = 0.0;
+        for (int k = kX; k <= kZ; ++k) distance2 += (row[k] - place[k]) * (row[k] - place[k]);
+        if (distance2 >= least) continue;
+        least = distance2;
+        nearest = other;
+      }
+      if (nearest < 0) continue;
+      ++borrowed;
+      EXPECT_EQ(dump.at(step + 1).at(id)[kState], 2.0);
+      EXPECT_EQ(dump.at(step + 1).at(id)[kWindX], static_cast<double>(nearest)) << "step " << step;
+    }
+  }
+  EXPECT_GT(borrowed, 20);
+  EXPECT_GT(outside, 20);
+}
+
 TEST(CoupleBridge, NewParticlesOnARankWithoutOthersTakeTheMeanAtOnce) {
   const LiggghtsCase c("couple_newcomers_mean");
   const double eta = 2e-5;

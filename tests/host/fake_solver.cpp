@@ -7,6 +7,7 @@
 //   react=X,Y,Z  press=X,Y,Z        explicit forces [N]
 //   added_mass=C                    m_a = C m
 //   turn=SPIN,K_R,TORQUE            about z
+//   above=Z                         no fluid below: zeros, fluid fraction 1
 //   labels=1                        fluid velocity is (id, radius, x) instead, no drag
 //   time=T ahead=D                 clock at the start; with D: goes on from a checkpoint, D ahead of
 //                                  LIGGGHTS's
@@ -105,6 +106,13 @@ class Gas {
       if (settings_.has("stokes")) drag = 6.0 * kPi * settings_.number("stokes", 0.0) * radius[i];
       if (broken) drag = std::nan("");
       std::size_t next = 0;
+      if (settings_.has("above") && x[3 * i + 2] < settings_.number("above", 0.0)) {
+        for (const bridge::FieldSpec& field : offers()) {
+          const double value = field == fields::fluid_fraction ? 1.0 : 0.0;
+          add(next, std::vector<double>(field.shape.components(), value));
+        }
+        continue;
+      }
       add(next, wind);
       add(next, {1.0});
       add(next, {labels ? 0.0 : drag});
