@@ -1,61 +1,92 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "meshDiffusion.H"
+#include "cyclicAMIPolyPatch.H"
 #include "cyclicPolyPatch.H"
 #include "processorPolyPatch.H"
 #include "surfaceFields.H"
+#include "syncTools.H"
 #include "volFields.H"
 #include "UIPstream.H"
 #include "UOPstream.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::meshDiffusion::addCoupling
+void Foam::meshDiffusion::setCouplings
 (
-    const fvPatch& patch,
+    const fvMesh& mesh,
     const surfaceScalarField& conductance
 )
 {
-    const scalarField& mine = conductance.boundaryField()[patch.index()];
-
-    if (isA<processorPolyPatch>(patch.patch()))
+    // Areas of the two sides of a face agree to the mesh's tolerance only: the
+    // mean of both, so that the sum is kept to round-off
+    const label nInternal = mesh.nInternalFaces();
+    scalarField otherSide(mesh.nFaces() - nInternal, Zero);
+    for (const fvsPatchScalarField& mine : conductance.boundaryField())
     {
-        const auto& pp = refCast<const processorPolyPatch>(patch.patch());
+        SubList<scalar>
+        (
+            otherSide, mine.size(), mine.patch().start() - nInternal
+        ) = mine;
+    }
+    syncTools::swapBoundaryFaceList(mesh, otherSide);
+
+    wordList closed;
+    for (const fvPatch& patch : mesh.boundary())
+    {
+        const polyPatch& poly = patch.patch();
+        if (!poly.coupled() && !isA<cyclicAMIPolyPatch>(poly))
+        {
+            continue;
+        }
+        const bool turns =
+            isA<coupledPolyPatch>(poly)
+         && !refCast<const coupledPolyPatch>(poly).parallel();
+        labelList otherCells;
+        label rank = Pstream::myProcNo();
+        int tag = 0;
+        if (turns || isA<cyclicAMIPolyPatch>(poly))
+        {
+            closed.append(patch.name());
+            continue;
+        }
+        if (isA<processorPolyPatch>(poly))
+        {
+            const auto& processor = refCast<const processorPolyPatch>(poly);
+            rank = processor.neighbProcNo();
+            tag = processor.tag();
+        }
+        else
+        {
+            otherCells =
+                refCast<const cyclicPolyPatch>(poly).neighbPatch().faceCells();
+        }
+        const SubField<scalar> other
+        (
+            otherSide, patch.size(), patch.start() - nInternal
+        );
+        const scalarField mean
+        (
+            0.5*(conductance.boundaryField()[patch.index()] + other)
+        );
         couplings_.append
         (
             coupling
             {
                 patch.faceCells(),
-                mine,
-                labelList(),
-                pp.neighbProcNo(),
-                pp.tag()
+                mean,
+                otherCells,
+                rank,
+                tag
             }
         );
     }
-    else if (isA<cyclicPolyPatch>(patch.patch()))
+    Pstream::combineGather(closed, ListOps::uniqueEqOp<word>());
+    if (closed.size())
     {
-        const auto& pp = refCast<const cyclicPolyPatch>(patch.patch());
-        if (pp.parallel())
-        {
-            // Areas of the two sides agree to the mesh's tolerance only: the
-            // mean of both, so that the sum is kept to round-off
-            const scalarField mean
-            (
-                0.5*(mine + conductance.boundaryField()[pp.neighbPatchID()])
-            );
-            couplings_.append
-            (
-                coupling
-                {
-                    patch.faceCells(),
-                    mean,
-                    labelList(pp.neighbPatch().faceCells()),
-                    Pstream::myProcNo(),
-                    0
-                }
-            );
-        }
+        Info<< "Warning: nothing is smoothed across the patches "
+            << flatOutput(closed) << ", of which the two sides are turned or"
+            << " do not match face by face: they act as walls here" << endl;
     }
 }
 
@@ -309,10 +340,7 @@ Foam::meshDiffusion::meshDiffusion(const fvMesh& mesh, const scalar Dt)
        *mesh.magSf()*mesh.nonOrthDeltaCoeffs()
     );
     setRows(mesh, conductance.primitiveField());
-    for (const fvPatch& patch : mesh.boundary())
-    {
-        addCoupling(patch, conductance);
-    }
+    setCouplings(mesh, conductance);
 
     leaving_ = largestShare();
     nSweeps_ = min(max(std::ceil(leaving_/maxLeaving), 1.0), scalar(labelMax));
