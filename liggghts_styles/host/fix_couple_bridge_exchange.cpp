@@ -127,11 +127,14 @@ void FixCoupleBridge::check_domains() const {
          " to " + number_text(high) +
          " m; allowed: two that overlap; to do: check units (m) and origin of region and mesh");
   }
-  // A mesh in mm around a box in m holds it, in one corner; small and large boxes are no error.
+  // A mesh in mm around a box in m holds it, in one corner.
   constexpr double suspicious = 100.0;
-  if (most > 1.0 / suspicious && least < suspicious) return;
-  say("Warning: the box of LIGGGHTS is " + number_text(least) + " to " + number_text(most) +
-      " times as long as the mesh of the solver, along each axis: are both in m?");
+  if (options_.any_size || (most > 1.0 / suspicious && least < suspicious)) return;
+  stop("sizes; given: a box of LIGGGHTS that is " + number_text(least) + " to " +
+       number_text(most) +
+       " times as long as the mesh of the solver, along each axis; allowed: both in m, or sizes any; "
+       "to do: check the units of region and mesh (transformPoints scales a mesh), or add sizes any "
+       "to the line of the fix");
 }
 
 /// Rows that this rank sends for particles that have vanished.

@@ -176,7 +176,7 @@ int run(const Settings& settings) {
                  fields::radius, fields::density,  fields::reaction_impulse};
   hello.offers = gas.offers();
   std::vector<double> box = settings.list("box");
-  if (box.empty()) box = {-1.0, 1.0};
+  if (box.empty()) box = {-1e-2, 1e-2};
   bridge::RankMap map;
   map.voxels = {link.world.ranks, 1, 1};
   map.origin_m = {box[0], -1.0, -1.0};
