@@ -130,11 +130,12 @@ void FixCoupleBridge::check_domains() const {
   // A mesh in mm around a box in m holds it, in one corner.
   constexpr double suspicious = 100.0;
   if (options_.any_size || (most > 1.0 / suspicious && least < suspicious)) return;
-  stop("sizes; given: a box of LIGGGHTS that is " + number_text(least) + " to " +
-       number_text(most) +
-       " times as long as the mesh of the solver, along each axis; allowed: both in m, or sizes any; "
-       "to do: check the units of region and mesh (transformPoints scales a mesh), or add sizes any "
-       "to the line of the fix");
+  stop(
+      "sizes; given: a box of LIGGGHTS that is " + number_text(least) + " to " + number_text(most) +
+      " times as long as the mesh of the solver, along each axis; allowed: both in m, or sizes "
+      "any; "
+      "to do: check the units of region and mesh (transformPoints scales a mesh), or add sizes any "
+      "to the line of the fix");
 }
 
 /// Rows that this rank sends for particles that have vanished.

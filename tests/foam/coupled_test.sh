@@ -209,6 +209,35 @@ FIELDS
     mpi 1 2 || { tail -n 20 log >&2; failed "2 ranks"; }
     below "2 ranks: particles" "$(difference <(velocities ../serial/dem.state) <(velocities dem.state))" 1e-8
     ;;
+  fields)
+    # Held particles in a stream of 5 m/s, one interval: summed over the mesh, the flux of their volume
+    # and the drag coefficients of Schiller and Naumann.
+    for ranks in 1 2; do
+      new_case "fields_$ranks"
+      sed -i 's/^ *forces .*/&\n    writeFields (Us Ksl);/' constant/couplingProperties
+      sed -i 's/endTime 4e-4/endTime 2e-5/' system/caseSettings
+      mpi 1 $ranks fixed=1 || { tail -n 20 log >&2; failed "$ranks ranks"; }
+      [[ $ranks == 1 ]] || reconstructPar >log.reconstructPar 2>&1
+      for name in alphaf Us Ksl; do
+        awk '/^internalField/ { on = 1 } /^boundaryField/ { exit }
+          on && /^\(?-?[0-9.]+(e-?[0-9]+)?( |$)/ && NR > 1 { gsub(/[()]/, " "); if (n++) print }' "2e-05/$name" >"$name"
+      done
+      paste alphaf Us Ksl | awk 'FILENAME == "-" { cell = 6.4e-8/512; V += (1 - $1)*cell; K += $5*cell
+            for (c = 1; c <= 3; c++) q[c] += (1 - $1)*cell*$(1 + c); next }
+        FNR > 1 { v = 4/3*3.14159265358979*$2^3; volume += v; slip = 0
+          for (c = 1; c <= 3; c++) { flux[c] += v*$(5 + c); slip += ((c == 1 ? 5 : 0) - $(5 + c))^2 }
+          Re = sqrt(slip)*2*$2/1.3433734940e-5
+          drag += 6*3.14159265358979*2.23e-5*$2*(1 + 0.15*Re^0.687) }
+        END { for (c = 1; c <= 3; c++) { d += (q[c] - flux[c])^2; s += flux[c]^2 }
+          printf "%.3g %.3g %.3g\n", V/volume - 1, (s > 0) ? sqrt(d/s) : "", K/drag - 1 }' - dem.state >sums
+      read -r volume flux drag <sums
+      echo "$ranks ranks: solids, flux and drag differ by $volume $flux $drag"
+      below "$ranks ranks: volume of the solids" "${volume#-}" 1e-10
+      below "$ranks ranks: Us" "${flux#-}" 1e-10
+      # Drag in model B is larger by 1/alphaf.
+      below "$ranks ranks: Ksl" "${drag#-}" 2e-3
+    done
+    ;;
   one_way)
     new_case two
     run

@@ -177,6 +177,7 @@ Foam::bridgeMomentum::bridgeMomentum
     ),
     alphafStart_(alphaf_.primitiveField()),
     account_(settings_, clock_, particles_, voidFraction_()),
+    fields_(mesh, settings_.dict),
     ddtU_(),
     clocksOnDisk_(mesh),
     answerIsDue_(false),
@@ -274,6 +275,7 @@ bool Foam::bridgeMomentum::startStep()
     timer_.lap(couplingTimer::sharing);
 
     evaluateForces();
+    fields_.set(particles_, rows_.dragCoefficient, voidFraction_());
 
     if (settings_.twoWay)
     {
