@@ -89,6 +89,33 @@ TEST(ParticleTable, PatternsAreExpandedAndEachFileIsReadOnce) {
                  {"files of grains", "none_*.csv"});
 }
 
+/// ImageJ's Summarize writes its words into the nameless first column or, in newer versions, into Label.
+TEST(ParticleTable, RowsOfSummarizeAreNoGrains) {
+  const TestFolder folder;
+  const auto read = [&](const std::string& text) {
+    return read_particle_tables({folder.write("t.csv", text)}, 1.0);
+  };
+  for (const std::string& head :
+       {std::string(" ,Label,Area,Perim.\n"), std::string(" ,Area,Perim.\n")}) {
+    const bool label = head.find("Label") != std::string::npos;
+    const auto row = [&](const char* number, const char* name, const char* rest) {
+      return std::string(number) + (label ? std::string(",") + name : "") + rest;
+    };
+    for (const bool in_label : {false, label}) {
+      std::string text =
+          head + row("1", "mean.tif", ",400,80\n") + row("2", "mean.tif", ",100,40\n");
+      for (const char* word : {"Mean", "SD", "Min", "Max"})
+        text += in_label ? row("3", word, ",250,60\n") : row(word, "", ",-,60\n");
+      const ParticleSet set = read(text);
+      ASSERT_EQ(set.particles.size(), 2U) << text;
+      EXPECT_DOUBLE_EQ(set.particles[1].area_um2, 100);
+      ASSERT_EQ(set.notes.size(), 1U);
+      EXPECT_NE(set.notes[0].find("4 rows"), std::string::npos) << set.notes[0];
+    }
+  }
+  expect_refusal([&] { read("Label,Area,Perim.\nMean,400,80\n"); }, {"no grains"});
+}
+
 TEST(ParticleTable, RefusesWhatItCannotUse) {
   const TestFolder folder;
   const auto read = [&](const std::string& text, std::optional<double> size = 1.0) {
