@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "analysis/commands/commands.h"
+#include "analysis/file_patterns.h"
 #include "analysis/kat_device/device_rows.h"
 #include "analysis/kat_device/device_session.h"
 #include "analysis/material_library.h"
@@ -73,7 +74,7 @@ std::vector<LoggedDrop> from_device(const Options& o) {
 
 std::vector<LoggedDrop> from_logs(const Options& o) {
   std::vector<LoggedDrop> drops;
-  for (const std::string& file : o.logs) {
+  for (const fs::path& file : expand_patterns(o.logs, "logs of the KAT device")) {
     const DropLog log = read_drop_log(file, o.skip_damaged);
     for (const std::string& note : log.notes()) fmt::print(stderr, "powderlink: {}\n", note);
     drops.insert(drops.end(), log.drops().begin(), log.drops().end());
@@ -119,7 +120,7 @@ void add_kat_device_command(CLI::App& kat) {
   CLI::App* c = kat.add_subcommand(
       "device", "drops of the KAT device, from its serial port or saved logs, as rows of a study");
   auto o = std::make_shared<Options>();
-  c->add_option("log", o->logs, "logs of the device");
+  c->add_option("log", o->logs, "logs of the device (patterns may be quoted)");
   c->add_option("--port", o->port, "serial port, such as /dev/ttyACM0");
   c->add_option("--baud", o->baud, "its speed")->capture_default_str();
   c->add_option("--set", o->settings, "KEY=VALUE of the device, before the commands");

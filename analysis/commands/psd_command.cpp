@@ -7,6 +7,7 @@
 
 #include "analysis/commands/commands.h"
 #include "analysis/commands/segmentation_options.h"
+#include "analysis/file_patterns.h"
 #include "analysis/psd/powder_inputs.h"
 #include "analysis/psd/psd_figures.h"
 #include "analysis/psd/psd_report.h"

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <map>
+
 #include "analysis/checks.h"
 #include "analysis/text_table.h"
 #include "models/invalid_input.h"
@@ -20,6 +22,30 @@ void require_one_per_drop(const std::string& option, std::size_t given, std::siz
                      "give them in the order of the drops");
 }
 
+std::string report_of(const kat::Drop& drop) {
+  std::string text;
+  for (uint8_t i = 0; i < drop.lines(); ++i) text += kat::drop_line(drop, i).finish();
+  return text;
+}
+
+/// Every drop once: the device sends its report by itself and again when asked, and a log may be
+/// given together with its copy. All fields agree then, times since release to the microsecond.
+std::vector<LoggedDrop> each_once(const std::vector<LoggedDrop>& drops,
+                                  std::vector<std::string>& notes) {
+  std::map<std::string, std::string> places;  // by the whole report
+  std::vector<LoggedDrop> once;
+  for (const LoggedDrop& logged : drops) {
+    const auto [known, is_new] = places.emplace(report_of(logged.drop), logged.place);
+    if (is_new) {
+      once.push_back(logged);
+    } else {
+      notes.push_back(fmt::format("{}: the same report of drop {} as {}, counted once",
+                                  logged.place, logged.drop.number, known->second));
+    }
+  }
+  return once;
+}
+
 std::string cell(const std::optional<double>& value, const char* format) {
   return value ? fmt::format(fmt::runtime(format), *value) : "-";
 }
@@ -30,7 +56,7 @@ DeviceRows device_rows(const std::vector<LoggedDrop>& drops, const DeviceSigmas&
                        const std::vector<double>& diameters_um,
                        const std::vector<double>& sigmas_um) {
   DeviceRows result;
-  for (const LoggedDrop& logged : drops) {
+  for (const LoggedDrop& logged : each_once(drops, result.notes)) {
     const kat::Drop& drop = logged.drop;
     if (drop.fault != kat::Code::none) {
       result.notes.push_back(fmt::format("{}: drop {} ended in {} ({}), left out; to do: {}",

@@ -23,9 +23,10 @@ struct DeviceRow {
 
 struct DeviceRows {
   std::vector<DeviceRow> rows;     ///< drops without fault
-  std::vector<std::string> notes;  ///< faults with what to do, times that do not agree
+  std::vector<std::string> notes;  ///< faults with what to do, times that do not agree, repetitions
 };
 
+/// A report that is in `drops` again, identical in all fields, is one drop.
 /// \param diameters_um, sigmas_um  none, or one per drop without fault, in order; sigmas may be one for all
 DeviceRows device_rows(const std::vector<LoggedDrop>& drops, const DeviceSigmas& sigmas,
                        const std::vector<double>& diameters_um,

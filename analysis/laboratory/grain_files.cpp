@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <boost/algorithm/string/case_conv.hpp>
 
+#include "analysis/file_patterns.h"
 #include "models/invalid_input.h"
 
 namespace powderlink::analysis {

@@ -2,11 +2,9 @@
 #include "analysis/particles/particle_table.h"
 
 #include <fmt/format.h>
-#include <glob.h>
 
 #include <algorithm>
 #include <boost/algorithm/string/predicate.hpp>
-#include <set>
 
 #include "analysis/particles/particle_columns.h"
 #include "models/invalid_input.h"
@@ -158,30 +156,6 @@ void read_table(const fs::path& file, const std::optional<double>& given, Partic
 }
 
 }  // namespace
-
-std::vector<fs::path> expand_patterns(const std::vector<std::string>& patterns) {
-  std::vector<fs::path> files;
-  std::set<fs::path> seen;
-  const auto add = [&](const fs::path& file) {
-    if (seen.insert(fs::weakly_canonical(file)).second) files.push_back(file);
-  };
-  for (const std::string& pattern : patterns) {
-    if (fs::exists(pattern)) {  // a name may hold brackets
-      add(pattern);
-      continue;
-    }
-    glob_t found{};
-    const int status = ::glob(pattern.c_str(), 0, nullptr, &found);
-    for (std::size_t i = 0; i < found.gl_pathc; ++i) add(found.gl_pathv[i]);
-    ::globfree(&found);
-    if (status != 0) {
-      throw InvalidInput("files of grains", pattern,
-                         "a file, or a pattern with *, ? or [..] that fits at least one",
-                         "check path and pattern; quote a pattern that the shell must not expand");
-    }
-  }
-  return files;
-}
 
 double require_pixel_size_um(double value, const std::string& where) {
   constexpr double smallest = 1e-4, largest = 1e3;

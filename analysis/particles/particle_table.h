@@ -31,10 +31,6 @@ struct ParticleSet {
   std::vector<std::string> notes;  ///< what a reader of the result should know
 };
 
-/// Files of all patterns (*, ?, [..], as in a shell), each once, in the order given.
-/// Throws for a pattern or name without a file.
-std::vector<std::filesystem::path> expand_patterns(const std::vector<std::string>& patterns);
-
 /// 1e-4 to 1000 um; `where` names option or file.
 double require_pixel_size_um(double value, const std::string& where);
 

@@ -121,6 +121,23 @@ TEST(KatDevice, ALogBecomesAStudy) {
                     "one per drop");
 }
 
+/// The device reports by itself and again when asked, and a copy of a log may lie beside it.
+TEST(KatDevice, ADropThatIsReportedTwiceIsOneDrop) {
+  const TestFolder folder;
+  const std::string at = folder.path().string() + "/";
+  kat::Drop second = ideal_drop(0.4);  // of the same number: after the device was switched on again
+  folder.write("a.log", text_of(ideal_drop(0.2)) + text_of(ideal_drop(0.2)));
+  folder.write("b.log", text_of(second));
+  folder.write("copy.log", text_of(ideal_drop(0.2)));
+  const auto result = powderlink("kat device " + at + "./a.log '" + at + "*.log' --csv " + at +
+                                 "a.csv --critical-diameter 60 40");
+  ASSERT_EQ(result.status, 0) << result.err;
+  EXPECT_EQ(read_csv(at + "a.csv").rows.size(), 2U);
+  EXPECT_NE(result.err.find("a.log, line 12: the same report of drop 1 as "), std::string::npos)
+      << result.err;
+  EXPECT_NE(result.err.find("copy.log, line 6: the same report"), std::string::npos) << result.err;
+}
+
 TEST(KatDevice, DamagedLogsAreNamed) {
   const TestFolder folder;
   const std::string at = folder.path().string() + "/";
@@ -156,6 +173,9 @@ TEST(KatDevice, DropsOverASerialPort) {
   ASSERT_EQ(result.status, 0) << result.err << result.out;
   const auto again = powderlink("kat device " + at + "d.log");
   EXPECT_EQ(again.status, 0) << again.err;
+  // The device still has the report, which is no second drop.
+  EXPECT_EQ(powderlink(port + " --do report --do report --csv " + at + "r.csv").status, 0);
+  EXPECT_EQ(read_csv(at + "r.csv").rows.size(), 1U);
   const CsvTable table = read_csv(at + "d.csv");
   EXPECT_NEAR(table.number(table.rows[0], 0) / device.board.scene.impact_velocity_m_s(), 1.0, 1e-3);
   EXPECT_NEAR(table.number(table.rows[0], *table.find_column("contact_time_us")), 100.0, 1.0);

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "analysis/file_patterns.h"
 #include "tests/analysis/test_files.h"
 
 namespace powderlink::analysis {
