@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <boost/algorithm/string/case_conv.hpp>
+#include <set>
 
 #include "analysis/file_patterns.h"
 #include "models/invalid_input.h"
@@ -34,8 +35,10 @@ ParticleSet read_tables_of_grains(const std::vector<fs::path>& files,
 GrainDiameters read_grains(const GrainFiles& given, const ParticleReader& reader) {
   const std::vector<fs::path> before = expand_patterns(given.before);
   std::vector<fs::path> files = before;
+  std::set<fs::path> known;  // however they are spelled: ./a.csv is a.csv
+  for (const fs::path& file : before) known.insert(fs::weakly_canonical(file));
   for (const fs::path& file : expand_patterns(given.after)) {
-    if (std::find(before.begin(), before.end(), file) != before.end()) {
+    if (known.count(fs::weakly_canonical(file)) > 0) {
       throw InvalidInput("files before and after the drop", file.string() + " in both",
                          "every file in one of them", "correct --before or --after");
     }

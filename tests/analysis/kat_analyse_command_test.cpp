@@ -134,6 +134,9 @@ TEST_F(KatAnalyse, RefusesBadInput) {
   refused("", drop_options(), {"exchange --before"});
   folder.write("before.csv", image_table(s.before_um));
   refused("--after " + file("before.csv"), drop_options(), {"in both"});
+  refused("--after " + file("./before.csv"), drop_options(), {"in both"});
+  fs::create_symlink(file("before.csv"), file("link.csv"));
+  refused("--after " + file("link.csv"), drop_options(), {"in both"});
   folder.write("after.png", "not a picture");
   refused("--after " + file("after.png"), drop_options(), {"after.png"});
   folder.write("after.csv", " ,Area,Perim.\n");
