@@ -2,13 +2,16 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 #include "analysis/commands/commands.h"
 #include "analysis/file_patterns.h"
 #include "analysis/kat_device/device_rows.h"
 #include "analysis/kat_device/device_session.h"
+#include "analysis/kat_device/session_log.h"
 #include "analysis/material_library.h"
 #include "analysis/write_file.h"
 #include "models/invalid_input.h"
@@ -53,22 +56,23 @@ void check_outputs(const Options& o) {
 }
 
 std::vector<LoggedDrop> from_device(const Options& o) {
-  DeviceSession device(o.port, o.baud, o.wait_s);
-  const auto save = [&] {
-    if (o.log.empty()) return;
-    std::string text;
-    for (const std::string& line : device.lines()) text += line + "\n";
-    write_file(o.log, text);
-  };
+  std::optional<SessionLog> log;
+  DeviceSession device(o.port, o.baud, o.wait_s, [&](const std::string& line) {
+    if (log) log->take(line);
+    fmt::print("{}\n", line);
+    std::fflush(stdout);
+  });
+  if (!o.log.empty()) log.emplace(o.log, o.force);
   try {
     if (!o.settings.empty()) device.command("set", o.settings);
     for (const std::string& command : o.commands) device.command(command);
   } catch (const InvalidInput&) {
-    save();  // what was measured so far is not lost
+    if (log) log->finish();  // what was measured so far is not lost
     throw;
   }
-  save();
-  for (const std::string& line : device.lines()) fmt::print("{}\n", line);
+  if (log) log->finish();
+  device.log().end();
+  for (const std::string& note : device.log().notes()) fmt::print(stderr, "powderlink: {}\n", note);
   return device.log().drops();
 }
 
@@ -130,7 +134,7 @@ void add_kat_device_command(CLI::App& kat) {
   c->add_option("--wait", o->wait_s, "longest wait for a command [s]")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
-  c->add_option("--log", o->log, "write all lines of the device to this file");
+  c->add_option("--log", o->log, "write all lines of the device to this file as they come");
   c->add_option("--csv", o->csv, "write the rows of a study to this file");
   c->add_option("--study", o->study, "write a study of these rows (TOML)");
   c->add_option("--particle", o->particle, "material of the powder, for --study");

@@ -81,14 +81,6 @@ std::string text_of(const kat::Drop& d) {
   return text;
 }
 
-void expect_four_parts(const CommandResult& result, const std::string& fragment) {
-  EXPECT_EQ(result.status, 1) << result.out;
-  for (const std::string& part :
-       {std::string("; given: "), std::string("; allowed: "), std::string("; to do: "), fragment}) {
-    EXPECT_NE(result.err.find(part), std::string::npos) << part << " not in: " << result.err;
-  }
-}
-
 TEST(KatDevice, ALogBecomesAStudy) {
   const TestFolder folder;
   const std::string at = folder.path().string() + "/";
