@@ -5,11 +5,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <sstream>
-
-#include <toml++/toml.h>
 
 #include "analysis/material_library.h"
+#include "analysis/toml_text.h"
 #include "models/effect_registry.h"
 
 namespace powderlink::analysis {
@@ -17,12 +15,6 @@ namespace powderlink::analysis {
 namespace fs = std::filesystem;
 
 namespace {
-
-std::string quoted(const std::string& text) {
-  std::ostringstream out;
-  out << toml::value<std::string>(text);
-  return out.str();
-}
 
 std::string material_text(const char* table, const models::Material& m) {
   const auto& known = known_materials();
@@ -73,7 +65,7 @@ std::string study_text(const Study& study, const Candidate& c, const fs::path& f
   for (const EffectChoice& e : c.hypothesis.effects) names.push_back(quoted(e.name));
   std::string text =
       fmt::format("# {} with {}, written by powderlink add\n[study]\nname = {}\nexperiment = {}\n",
-                  study.name, fmt::join(c.added, ", "),
+                  quoted(study.name), fmt::join(c.added, ", "),
                   quoted(study.name + "+" + fmt::format("{}", fmt::join(c.added, "+"))),
                   quoted(study.experiment));
   std::vector<std::string> tables;

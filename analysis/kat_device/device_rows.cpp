@@ -8,6 +8,7 @@
 
 #include "analysis/checks.h"
 #include "analysis/text_table.h"
+#include "analysis/toml_text.h"
 #include "models/invalid_input.h"
 
 namespace powderlink::analysis {
@@ -77,6 +78,10 @@ DeviceRows device_rows(const std::vector<LoggedDrop>& drops, const DeviceSigmas&
     result.rows.push_back(row);
   }
   const std::size_t n = result.rows.size();
+  if (diameters_um.empty() && !sigmas_um.empty()) {
+    throw InvalidInput("--critical-diameter-sigma", "deviations without diameters",
+                       "both options, or neither", "give --critical-diameter too");
+  }
   require_one_per_drop("--critical-diameter", diameters_um.size(), n, false);
   require_one_per_drop("--critical-diameter-sigma", sigmas_um.size(), n, true);
   for (std::size_t i = 0; i < n && !diameters_um.empty(); ++i) {
@@ -118,7 +123,7 @@ std::string device_csv(const std::vector<DeviceRow>& rows) {
     contacts = contacts && row.contact_time_us.has_value();
   }
   std::string text = "# Drops of the KAT device; velocity by the beam and gravity.\n";
-  for (const DeviceRow& row : rows) text += "# " + row.source.place + "\n";
+  for (const DeviceRow& row : rows) text += "# " + quoted(row.source.place) + "\n";
   text += "impact_velocity_m_s";
   if (diameters) text += ",critical_diameter_um";
   if (sigmas) text += ",critical_diameter_sigma_um";
@@ -139,10 +144,10 @@ std::string device_study(const std::vector<DeviceRow>& rows, const std::string& 
                          const std::string& substrate) {
   const bool measured = !rows.empty() && rows.front().critical_diameter_um.has_value();
   std::string text = fmt::format(
-      "# Drops of the KAT device.\n[study]\nname = \"{}\"\nexperiment = "
+      "# Drops of the KAT device.\n[study]\nname = {}\nexperiment = "
       "\"kat_critical_diameter\"\n",
-      name);
-  if (measured) text += fmt::format("measurements = \"{}\"\n", csv);
+      quoted(name));
+  if (measured) text += fmt::format("measurements = {}\n", quoted(csv));
   text += fmt::format("\n[particle]\nmaterial = \"{}\"\n\n[substrate]\nmaterial = \"{}\"\n",
                       particle, substrate);
   text +=

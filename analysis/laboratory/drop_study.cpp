@@ -9,6 +9,7 @@
 
 #include "analysis/file_text.h"
 #include "analysis/study.h"
+#include "analysis/toml_text.h"
 #include "analysis/write_file.h"
 
 namespace powderlink::analysis {
@@ -38,10 +39,11 @@ std::string row_text(const KatAnalysis& a) {
 
 std::string new_study(const fs::path& study, const fs::path& table, const KatDrop& drop) {
   std::string text = fmt::format(
-      "# Drops evaluated by powderlink kat analyse\n[study]\nname = \"{}\"\n"
-      "experiment = \"kat_critical_diameter\"\nmeasurements = \"{}\"\n\n[particle]\n"
+      "# Drops evaluated by powderlink kat analyse\n[study]\nname = {}\n"
+      "experiment = \"kat_critical_diameter\"\nmeasurements = {}\n\n[particle]\n"
       "material = \"{}\"\n\n[substrate]\nmaterial = \"{}\"\n\n[model]\n",
-      study.stem().string(), table.filename().string(), drop.particle.name, drop.substrate.name);
+      quoted(study.stem().string()), quoted(table.filename().string()), drop.particle.name,
+      drop.substrate.name);
   text += "effects = []  # an instant stop; powderlink diagnose tells what is missing\n";
   if (drop.contact_time_s) {
     text += fmt::format(

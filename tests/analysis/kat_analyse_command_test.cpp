@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "analysis/study.h"
 #include "tests/analysis/command_line.h"
 #include "tests/analysis/retention_sample.h"
 
@@ -93,6 +94,11 @@ TEST_F(KatAnalyse, GrowsAStudyThatCompareReads) {
                             velocity));
     ASSERT_EQ(r.status, 0) << r.err;
   }
+  // A name may hold anything, and becomes a comment of the new study too.
+  std::string text = read_file(file("s.toml"));
+  const std::string name = "name = \"s\"";
+  ASSERT_NE(text.find(name), std::string::npos) << text;
+  folder.write("s.toml", text.replace(text.find(name), name.size(), R"(name = "s\n[\"x]")"));
   EXPECT_EQ(powderlink("add " + file("s.toml") + " finite_stop_pulse -o " + file("f.toml")).status,
             0);
   const CommandResult r = powderlink("compare " + file("f.toml") + " --json " + file("c.json"));
@@ -113,6 +119,12 @@ TEST_F(KatAnalyse, GrowsAStudyThatCompareReads) {
                 .status,
             1);
   EXPECT_EQ(read_file(file("s.csv")), before);
+}
+
+TEST_F(KatAnalyse, AStudyMayHaveAnOddName) {
+  const std::string odd = "a\"b\\\n[c].toml";
+  ASSERT_EQ(analyse("--study '" + file(odd) + "'").status, 0);
+  EXPECT_EQ(read_study(file(odd)).name, "a\"b\\\n[c]");
 }
 
 TEST_F(KatAnalyse, RefusesBadInput) {

@@ -111,6 +111,8 @@ TEST(KatDevice, ALogBecomesAStudy) {
   EXPECT_EQ(powderlink("kat device " + at + "a.log --force --csv " + at + "a.csv").status, 0);
   expect_four_parts(powderlink("kat device " + at + "a.log --critical-diameter 60"),
                     "one per drop");
+  expect_four_parts(powderlink("kat device " + at + "a.log --critical-diameter-sigma 1"),
+                    "give --critical-diameter too");
 }
 
 /// The device reports by itself and again when asked, and a copy of a log may lie beside it.
@@ -128,6 +130,22 @@ TEST(KatDevice, ADropThatIsReportedTwiceIsOneDrop) {
   EXPECT_NE(result.err.find("a.log, line 12: the same report of drop 1 as "), std::string::npos)
       << result.err;
   EXPECT_NE(result.err.find("copy.log, line 6: the same report"), std::string::npos) << result.err;
+}
+
+TEST(KatDevice, NamesWithQuotesMakeAStudyThatCanBeRead) {
+  const TestFolder folder;
+  const std::string name = "a\"b\\\n[c]";  // of files: all of it is allowed
+  folder.write(name + ".log", text_of(ideal_drop(0.2)));
+  const auto file = [&](const char* suffix) {
+    return " '" + (folder.path() / (name + suffix)).string() + "'";
+  };
+  const auto result =
+      powderlink("kat device" + file(".log") + " --csv" + file(".csv") + " --study" +
+                 file(".toml") + " --particle 316L --substrate UPVC --critical-diameter 60");
+  ASSERT_EQ(result.status, 0) << result.err;
+  const Study study = read_study(folder.path() / (name + ".toml"));
+  EXPECT_EQ(study.name, name);
+  EXPECT_EQ(study.rows.size(), 1U);
 }
 
 TEST(KatDevice, DamagedLogsAreNamed) {
