@@ -12,7 +12,7 @@
 #include "analysis/kat_device/device_rows.h"
 #include "analysis/kat_device/device_session.h"
 #include "analysis/kat_device/session_log.h"
-#include "analysis/material_library.h"
+#include "analysis/study_material.h"
 #include "analysis/write_file.h"
 #include "models/invalid_input.h"
 
@@ -47,8 +47,8 @@ void check_outputs(const Options& o) {
     throw InvalidInput("--study", "no --particle or no --substrate", "both materials",
                        "such as --particle 316L --substrate borosilicate_glass");
   }
-  find_material(o.particle);
-  find_material(o.substrate);
+  material_option(o.particle, "particle");
+  material_option(o.substrate, "substrate");
   if (!o.diameters_um.empty() && o.csv.empty()) {
     throw InvalidInput("--study", "critical diameters, but no --csv", "a table for the study",
                        "name it with --csv");
@@ -113,8 +113,9 @@ void run(const Options& o) {
     const fs::path folder = fs::absolute(o.study).parent_path();
     const std::string csv =
         o.csv.empty() ? "" : fs::absolute(o.csv).lexically_relative(folder).string();
-    write_file(o.study, device_study(found.rows, fs::path(o.study).stem().string(), csv, o.particle,
-                                     o.substrate));
+    write_file(o.study, device_study(found.rows, fs::path(o.study).stem().string(), csv,
+                                     material_option(o.particle, "particle"),
+                                     material_option(o.substrate, "substrate")));
   }
 }
 
@@ -137,8 +138,8 @@ void add_kat_device_command(CLI::App& kat) {
   c->add_option("--log", o->log, "write all lines of the device to this file as they come");
   c->add_option("--csv", o->csv, "write the rows of a study to this file");
   c->add_option("--study", o->study, "write a study of these rows (TOML)");
-  c->add_option("--particle", o->particle, "material of the powder, for --study");
-  c->add_option("--substrate", o->substrate, "material of the plate, for --study");
+  c->add_option("--particle", o->particle, material_option_help() + "; of the powder, for --study");
+  c->add_option("--substrate", o->substrate, "the same of the plate");
   c->add_option("--critical-diameter", o->diameters_um,
                 "critical diameters [um] from the microscope, one per drop");
   c->add_option("--critical-diameter-sigma", o->diameter_sigmas_um,

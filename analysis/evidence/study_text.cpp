@@ -4,9 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
-
-#include "analysis/material_library.h"
+#include "analysis/study_material.h"
 #include "analysis/toml_text.h"
 #include "models/effect_registry.h"
 
@@ -15,16 +13,6 @@ namespace powderlink::analysis {
 namespace fs = std::filesystem;
 
 namespace {
-
-std::string material_text(const char* table, const models::Material& m) {
-  const auto& known = known_materials();
-  const bool by_name = std::any_of(known.begin(), known.end(),
-                                   [&](const models::Material& k) { return k.name == m.name; });
-  if (by_name) return fmt::format("\n[{}]\nmaterial = {}\n", table, quoted(m.name));
-  return fmt::format(
-      "\n[{}]\ndensity_kg_m3 = {:.9g}\nyoungs_modulus_Pa = {:.9g}\npoissons_ratio = {:.9g}\n",
-      table, m.density_kg_m3, m.youngs_modulus_Pa, m.poissons_ratio);
-}
 
 std::string effect_text(const Candidate& c, const EffectChoice& choice) {
   std::string text = fmt::format("\n[effect.{}]\n", choice.name);

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "analysis/checks.h"
+#include "analysis/study_material.h"
 #include "analysis/text_table.h"
 #include "analysis/toml_text.h"
 #include "models/invalid_input.h"
@@ -140,16 +141,15 @@ std::string device_csv(const std::vector<DeviceRow>& rows) {
 }
 
 std::string device_study(const std::vector<DeviceRow>& rows, const std::string& name,
-                         const std::string& csv, const std::string& particle,
-                         const std::string& substrate) {
+                         const std::string& csv, const models::Material& particle,
+                         const models::Material& substrate) {
   const bool measured = !rows.empty() && rows.front().critical_diameter_um.has_value();
   std::string text = fmt::format(
       "# Drops of the KAT device.\n[study]\nname = {}\nexperiment = "
       "\"kat_critical_diameter\"\n",
       quoted(name));
   if (measured) text += fmt::format("measurements = {}\n", quoted(csv));
-  text += fmt::format("\n[particle]\nmaterial = \"{}\"\n\n[substrate]\nmaterial = \"{}\"\n",
-                      particle, substrate);
+  text += material_text("particle", particle) + material_text("substrate", substrate);
   text +=
       "\n[model]\neffects = [\"finite_stop_pulse\"]  # contact_time_us of the table is its tau_s\n";
   if (measured) return text + "\n[fit]\nadhesive_energy_J_m2 = [0.001, 1000.0]\n";

@@ -10,6 +10,7 @@
 
 #include "analysis/kat_device/device_velocity.h"
 #include "analysis/kat_device/drop_log.h"
+#include "models/material.h"
 
 namespace powderlink::analysis {
 
@@ -37,7 +38,7 @@ std::string device_table(const std::vector<DeviceRow>& rows);  ///< for the term
 std::string device_csv(const std::vector<DeviceRow>& rows);
 /// A study of these rows; `csv` as the study names it, used when the rows have diameters.
 std::string device_study(const std::vector<DeviceRow>& rows, const std::string& name,
-                         const std::string& csv, const std::string& particle,
-                         const std::string& substrate);
+                         const std::string& csv, const models::Material& particle,
+                         const models::Material& substrate);
 
 }  // namespace powderlink::analysis

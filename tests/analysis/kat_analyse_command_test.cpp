@@ -121,6 +121,27 @@ TEST_F(KatAnalyse, GrowsAStudyThatCompareReads) {
   EXPECT_EQ(read_file(file("s.csv")), before);
 }
 
+TEST_F(KatAnalyse, MaterialsOfYourOwnGoIntoTheStudyByValue) {
+  folder.write("powder.toml",
+               "density_kg_m3 = 7980\nyoungs_modulus_Pa = 2.11e11\npoissons_ratio = 0.3\n");
+  const auto drop = [](double velocity, const std::string& particle) {
+    return fmt::format("--pixel-size-um 0.5 --velocity {} --substrate AlSi10Mg --particle {}",
+                       velocity, particle);
+  };
+  const std::string study = "--study " + file("own.toml");
+  const CommandResult first = analyse(study, drop(1.4, file("powder.toml")));
+  ASSERT_EQ(first.status, 0) << first.err;
+  EXPECT_NE(first.out.find("powder.toml on AlSi10Mg"), std::string::npos) << first.out;
+  EXPECT_EQ(read_study(file("own.toml")).particle.youngs_modulus_Pa, 2.11e11);
+  // The same by its name, and by its values; another by its values.
+  EXPECT_EQ(analyse(study, drop(1.5, "316L")).status, 0);
+  const std::string values = "density_kg_m3=7980,poissons_ratio=0.3,youngs_modulus_Pa=";
+  EXPECT_EQ(analyse(study, drop(1.6, values + "2.11e11")).status, 0);
+  const CommandResult other = analyse(study, drop(1.7, values + "2.0e11"));
+  EXPECT_EQ(other.status, 1);
+  EXPECT_NE(other.err.find("2e+11 Pa"), std::string::npos) << other.err;
+}
+
 TEST_F(KatAnalyse, AStudyMayHaveAnOddName) {
   const std::string odd = "a\"b\\\n[c].toml";
   ASSERT_EQ(analyse("--study '" + file(odd) + "'").status, 0);

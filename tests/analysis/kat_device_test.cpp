@@ -132,6 +132,19 @@ TEST(KatDevice, ADropThatIsReportedTwiceIsOneDrop) {
   EXPECT_NE(result.err.find("copy.log, line 6: the same report"), std::string::npos) << result.err;
 }
 
+TEST(KatDevice, MaterialsOfYourOwnGoIntoTheStudy) {
+  const TestFolder folder;
+  const std::string at = folder.path().string() + "/";
+  folder.write("a.log", text_of(ideal_drop(0.2)));
+  folder.write("p.toml", "density_kg_m3 = 4500\nyoungs_modulus_Pa = 1e11\npoissons_ratio = 0.3\n");
+  const auto result = powderlink("kat device " + at + "a.log --study " + at + "s.toml --particle " +
+                                 at + "p.toml --substrate structural_steel");
+  ASSERT_EQ(result.status, 0) << result.err;
+  const Study study = read_study(at + "s.toml");
+  EXPECT_EQ(study.particle.density_kg_m3, 4500.0);
+  EXPECT_EQ(study.substrate.name, "structural_steel");
+}
+
 TEST(KatDevice, NamesWithQuotesMakeAStudyThatCanBeRead) {
   const TestFolder folder;
   const std::string name = "a\"b\\\n[c]";  // of files: all of it is allowed
