@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "analysis/csv_table.h"
 #include "analysis/file_patterns.h"
 #include "tests/analysis/test_files.h"
 
@@ -52,6 +53,25 @@ TEST(ParticleTable, TabsSemicolonsAndCommasAreTheSame) {
     EXPECT_DOUBLE_EQ(p.perimeter_diameter_um(), 20);  // a square: 4 A/P is its side
     EXPECT_DOUBLE_EQ(p.aspect_ratio.value(), 2);      // from Round
   }
+}
+
+/// Labels of ImageJ are paths or titles: RFC 4180 knows doubled quotes and no backslash.
+TEST(ParticleTable, LabelsMayBePathsAndHoldQuotes) {
+  const TestFolder folder;
+  for (const std::string label :
+       {R"(C:\images\new\a.tif)", R"("C:\images\a,b.tif")", R"("field ""3"", left")", R"(5" tube)",
+        R"( "a" )", R"("ends with \")"}) {
+    const auto file = folder.write("t.csv", "Label,Area,Perim.\n" + label + ",400,80\n");
+    EXPECT_DOUBLE_EQ(read_particle_tables({file}, 1.0).particles.at(0).area_um2, 400) << label;
+    EXPECT_EQ(read_csv(file).rows[0].cells.size(), 3U);
+  }
+  const auto cell = [&](const std::string& text) {
+    return read_csv(folder.write("t.csv", "a,b\n" + text + ",1\n")).rows[0].cells[0];
+  };
+  EXPECT_EQ(cell(R"(C:\new\"x")"), R"(C:\new\"x")");
+  EXPECT_EQ(cell(R"("a ""b"", c\")"), R"(a "b", c\)");
+  expect_refusal([&] { cell("\"open"); }, {"line 2", "close the quotes"});
+  expect_refusal([&] { cell("\"a\"b"); }, {"line 2", "double the quotes"});
 }
 
 TEST(ParticleTable, PerimeterComesFromCircularityWhenItIsMissing) {
