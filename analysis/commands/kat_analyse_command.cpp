@@ -142,7 +142,7 @@ void add_options(CLI::App& c, Options& o) {
       ->required();
   c.add_option("--after", o.files.after, "the same after the drop")->required();
   c.add_option("--pixel-size-um", o.pixel_size_um,
-               "side of a pixel [um], for tables in pixels and pictures");
+               "side of a pixel [um], for tables in pixels and pictures that do not say it");
   c.add_option("--velocity", o.velocity, "impact velocity [m/s]");
   c.add_option("--particle", o.particle, names)->required();
   c.add_option("--substrate", o.substrate, names)->required();
