@@ -19,7 +19,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr double kNormal95 = 1.96;
 const char* kTime = "contact_time_us";
 
 std::vector<std::string> columns(const KatDrop& drop) {

@@ -2,10 +2,10 @@
 #include "analysis/laboratory/grain_files.h"
 
 #include <algorithm>
-#include <boost/algorithm/string/case_conv.hpp>
 #include <set>
 
 #include "analysis/file_patterns.h"
+#include "analysis/particles/picture_names.h"
 #include "models/invalid_input.h"
 
 namespace powderlink::analysis {
@@ -19,15 +19,11 @@ double GrainDiameters::ratio_of_files() const {
 ParticleSet read_tables_of_grains(const std::vector<fs::path>& files,
                                   std::optional<double> pixel_size_um) {
   for (const fs::path& file : files) {
-    std::string kind = file.extension().string();
-    boost::algorithm::to_lower(kind);
-    for (const char* image : {".png", ".tif", ".tiff", ".jpg", ".jpeg", ".bmp"}) {
-      if (kind != image) continue;
-      throw InvalidInput(
-          "grains before and after the drop", file.string() + ", a picture",
-          "tables of grains with Area and Perim.",
-          "measure the grains first, by powderlink psd or in Fiji, and give its table");
-    }
+    if (!has_picture_suffix(file)) continue;
+    throw InvalidInput(
+        "grains before and after the drop", file.string() + ", a picture",
+        "tables of grains with Area and Perim.",
+        "measure the grains first, by powderlink psd or in Fiji, and give its table");
   }
   return read_particle_tables(files, pixel_size_um);
 }
