@@ -9,7 +9,9 @@ namespace fs = std::filesystem;
 
 SessionLog::SessionLog(fs::path file, bool replace)
     : file_(std::move(file)), part_(file_.string() + ".part") {
-  if (!replace && fs::exists(part_)) {
+  std::error_code absent;
+  const auto bytes = fs::file_size(part_, absent);
+  if (!replace && !absent && bytes > 0) {
     throw InvalidInput("--log", part_.string() + ", lines of a session that was interrupted",
                        "a name without such lines",
                        "rename it and read it as a log, or replace it with --force");
@@ -18,6 +20,7 @@ SessionLog::SessionLog(fs::path file, bool replace)
 }
 
 void SessionLog::take(const std::string& line) {
+  empty_ = false;
   out_ << line << '\n' << std::flush;
   if (out_) return;
   throw InvalidInput("--log", part_.string() + ", to which nothing can be written",
@@ -28,6 +31,10 @@ void SessionLog::take(const std::string& line) {
 void SessionLog::finish() {
   out_.close();
   std::error_code problem;
+  if (empty_) {
+    fs::remove(part_, problem);
+    return;
+  }
   if (out_) fs::rename(part_, file_, problem);
   if (out_ && !problem) return;
   throw InvalidInput("--log", file_.string(), "a file that may be written",

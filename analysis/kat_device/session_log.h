@@ -17,11 +17,12 @@ class SessionLog {
   /// \param replace  FILE.part of an earlier session
   SessionLog(std::filesystem::path file, bool replace);
   void take(const std::string& line);
-  void finish();
+  void finish();  ///< no file when no line came
 
  private:
   std::filesystem::path file_, part_;
   std::ofstream out_;
+  bool empty_ = true;
 };
 
 }  // namespace powderlink::analysis

@@ -228,11 +228,15 @@ TEST(KatDevice, EveryCodeKeyAndStateIsInTheManual) {
 }
 
 TEST(KatDevice, ASilentOrMissingPortEnds) {
+  const TestFolder folder;
+  const std::string log = (folder.path() / "d.log").string();
   kat::SimulatedDevice device;
   device.silent = true;
   device.start();
-  expect_four_parts(powderlink("kat device --wait 0.5 --do status --port " + device.port()),
-                    "within 0.5 s");
+  expect_four_parts(
+      powderlink("kat device --wait 0.5 --do status --log " + log + " --port " + device.port()),
+      "within 0.5 s");
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
   expect_four_parts(powderlink("kat device --do status --port /dev/no_such_port"), "no_such_port");
 }
 
