@@ -37,7 +37,7 @@ class Console {
   void poll();
 
  private:
-  typedef Code (*Command)(Console&);
+  using Command = Code (*)(Console&);
   struct Entry {
     const char* name;
     Command run;
