@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <boost/algorithm/string/trim.hpp>
-#include <boost/tokenizer.hpp>
 #include <charconv>
 #include <cmath>
 #include <fstream>
@@ -16,17 +15,42 @@ namespace powderlink::analysis {
 
 namespace {
 
+/// Cells of a line by RFC 4180: a cell in quotes may hold separators, and a quote in it is doubled;
+/// a backslash is a character as any other. Spaces around a cell are dropped.
 std::vector<std::string> split(const std::string& line, char separator, const std::string& place) {
-  using Separator = boost::escaped_list_separator<char>;
-  std::vector<std::string> cells;
-  try {
-    for (std::string cell : boost::tokenizer<Separator>(line, Separator('\\', separator, '"'))) {
-      boost::algorithm::trim(cell);
-      cells.push_back(std::move(cell));
+  std::vector<std::string> cells(1);
+  enum { outside, inside, after } quotes = outside;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    const char c = line[i];
+    std::string& cell = cells.back();
+    if (quotes == inside) {
+      const bool doubled = c == '"' && i + 1 < line.size() && line[i + 1] == '"';
+      if (c == '"' && !doubled) {
+        quotes = after;
+        continue;
+      }
+      if (doubled) ++i;
+      cell += c;
+    } else if (c == separator) {
+      cells.emplace_back();
+      quotes = outside;
+    } else if (quotes == after) {
+      if (c != ' ' && c != '\t') {
+        throw InvalidInput(place, "'" + line + "'", "a separator after a cell in quotes",
+                           "double the quotes within a cell in quotes");
+      }
+    } else if (c == '"' && cell.find_first_not_of(" \t") == std::string::npos) {
+      cell.clear();
+      quotes = inside;
+    } else {
+      cell += c;
     }
-  } catch (const boost::escaped_list_error& e) {
-    throw InvalidInput(place, "'" + line + "'", "cells separated by commas", e.what());
   }
+  if (quotes == inside) {
+    throw InvalidInput(place, "'" + line + "'", "cells in two quotes, on one line",
+                       "close the quotes");
+  }
+  for (std::string& cell : cells) boost::algorithm::trim(cell);
   return cells;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file csv_table.h
 /// A comma-separated file: '#' comment lines, one header line, rows of equal length.
-/// Cells are kept as text. Every error is InvalidInput and names file, line and column.
+/// Cells are kept as text, quotes as in RFC 4180. Every error is InvalidInput and names file, line and column.
 /// Tests: tests/analysis/measurements_test.cpp, tests/psd/particle_table_test.cpp
 #pragma once
 

@@ -23,8 +23,8 @@ const models::Material& find_material(const std::string& name) {
     if (m.name == name) return m;
   }
   throw InvalidInput("material", "'" + name + "'", known_material_names(),
-                     "use one of these names, or give density_kg_m3, youngs_modulus_Pa and "
-                     "poissons_ratio in the study file");
+                     "use one of these names, or give density_kg_m3=.., youngs_modulus_Pa=.., "
+                     "poissons_ratio=.., or a file FILE.toml with these keys");
 }
 
 }  // namespace powderlink::analysis

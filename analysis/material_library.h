@@ -2,7 +2,7 @@
 /// \file material_library.h
 /// Materials known by name: the list of models/materials.def (density, Young's modulus, Poisson's
 /// ratio in SI units, with their source there).
-/// Tests: tests/analysis/study_test.cpp
+/// Tests: tests/analysis/study_test.cpp, study_material_test.cpp
 #pragma once
 
 #include <string>
@@ -17,7 +17,7 @@ const std::vector<models::Material>& known_materials();
 /// Throws InvalidInput that lists the known names.
 const models::Material& find_material(const std::string& name);
 
-/// "316L, borosilicate_glass, UPVC": for help texts and messages.
+/// "316L, borosilicate_glass, UPVC, ...": for help texts and messages.
 std::string known_material_names();
 
 }  // namespace powderlink::analysis

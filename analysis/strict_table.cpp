@@ -9,9 +9,27 @@
 #include <sstream>
 #include <utility>
 
+#include "analysis/file_text.h"
 #include "models/invalid_input.h"
 
 namespace powderlink::analysis {
+
+toml::table parse_toml(const std::string& text, const std::string& where) {
+  try {
+    return toml::parse(text);
+  } catch (const toml::parse_error& e) {
+    throw InvalidInput(fmt::format("{}, line {}, column {}", where, e.source().begin.line,
+                                   e.source().begin.column),
+                       std::string(e.description()), "TOML", "correct the line");
+  }
+}
+
+toml::table read_toml(const std::filesystem::path& file, const std::string& what,
+                      const std::string& to_do) {
+  if (!std::filesystem::is_regular_file(file))
+    throw InvalidInput(what, file.string(), "a TOML file that can be read", to_do);
+  return parse_toml(file_text(file), file.string());
+}
 
 StrictTable::StrictTable(const toml::table* table, std::string file, std::string name,
                          std::vector<std::string> allowed)

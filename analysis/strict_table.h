@@ -6,11 +6,18 @@
 #pragma once
 
 #include <toml++/toml.h>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace powderlink::analysis {
+
+/// A TOML file, or InvalidInput: one that is not there, named `what`, or with line and column.
+toml::table read_toml(const std::filesystem::path& file, const std::string& what,
+                      const std::string& to_do);
+/// The same of a text; `where` it was given.
+toml::table parse_toml(const std::string& text, const std::string& where);
 
 class StrictTable {
  public:

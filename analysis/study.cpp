@@ -9,8 +9,8 @@
 #include <sstream>
 
 #include "analysis/checks.h"
-#include "analysis/material_library.h"
 #include "analysis/strict_table.h"
+#include "analysis/study_material.h"
 #include "models/effect_registry.h"
 #include "models/rayleigh_time.h"
 
@@ -22,48 +22,6 @@ const std::vector<std::string> kExperiments = {"kat_critical_diameter", "kat_ret
 constexpr const char* kPulseEffect = "finite_stop_pulse";
 constexpr int kFewestParticles = 8;  // with fewer a bracket hardly shrinks from run to run
 constexpr int kMostParticles = 100000;
-
-toml::table parse(const std::filesystem::path& file) {
-  if (!std::filesystem::is_regular_file(file)) {
-    throw InvalidInput("study file", file.string(), "a TOML file that can be read",
-                       "check the path; kat_cases/ has examples");
-  }
-  try {
-    return toml::parse_file(file.string());
-  } catch (const toml::parse_error& e) {
-    throw InvalidInput(fmt::format("{}, line {}, column {}", file.string(), e.source().begin.line,
-                                   e.source().begin.column),
-                       std::string(e.description()), "TOML", "correct the line");
-  }
-}
-
-models::Material read_material(const StrictTable& table) {
-  const auto name = table.text("material");
-  const auto density = table.number("density_kg_m3");
-  const auto modulus = table.number("youngs_modulus_Pa");
-  const auto poisson = table.number("poissons_ratio");
-  const char* allowed = "material = NAME, or density_kg_m3, youngs_modulus_Pa and poissons_ratio";
-  if (name && !density && !modulus && !poisson) {
-    try {
-      return find_material(*name);
-    } catch (const InvalidInput& e) {
-      throw InvalidInput(table.place("material"), "'" + *name + "'", known_material_names(),
-                         "use one of these names, or give density_kg_m3, youngs_modulus_Pa and "
-                         "poissons_ratio instead");
-    }
-  }
-  if (name) {
-    throw InvalidInput(table.place("material"), "a name and values", allowed,
-                       "keep one of the two");
-  }
-  if (!density || !modulus || !poisson) {
-    throw InvalidInput(table.place("material"), "neither a name nor all three values", allowed,
-                       "known names: " + known_material_names());
-  }
-  models::Material m{table.place("values"), *density, *modulus, *poisson};
-  m.validate();
-  return m;
-}
 
 FreeRange read_range(const StrictTable& table, const models::EffectParameter& p,
                      std::size_t position) {
@@ -264,7 +222,8 @@ void read_rows(const StrictTable& root, const StrictTable& study_table, const St
 }  // namespace
 
 Study read_study(const std::filesystem::path& file) {
-  const toml::table document = parse(file);
+  const toml::table document =
+      read_toml(file, "study file", "check the path; kat_cases/ has examples");
   const std::string shown = file.string();
   const StrictTable root(&document, shown, "",
                          {"study", "particle", "substrate", "model", "effect", "fit", "kat"});
@@ -279,10 +238,8 @@ Study read_study(const std::filesystem::path& file) {
                        fmt::format("\"{}\"", fmt::join(kExperiments, "\" or \"")),
                        "correct the experiment");
   }
-  const std::vector<std::string> material = {"material", "density_kg_m3", "youngs_modulus_Pa",
-                                             "poissons_ratio"};
-  study.particle = read_material(root.table("particle", material));
-  study.substrate = read_material(root.table("substrate", material));
+  study.particle = read_material(root.table("particle", material_keys()));
+  study.substrate = read_material(root.table("substrate", material_keys()));
   study.effects = read_effects(root);
   const StrictTable kat =
       root.table("kat", {"velocities_m_s", "wall", "frame", "time_step_rayleigh", "restitution",

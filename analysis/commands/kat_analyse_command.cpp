@@ -12,8 +12,8 @@
 #include "analysis/laboratory/grain_files.h"
 #include "analysis/laboratory/kat_analysis_figures.h"
 #include "analysis/laboratory/kat_analysis_output.h"
-#include "analysis/material_library.h"
 #include "analysis/psd/grain_source.h"
+#include "analysis/study_material.h"
 #include "analysis/write_file.h"
 
 namespace powderlink::analysis {
@@ -46,8 +46,8 @@ double require_within(double value, double low, double high, const char* option,
 
 KatDrop read_drop(const CLI::App& c, const Options& o) {
   KatDrop drop;
-  drop.particle = find_material(o.particle);
-  drop.substrate = find_material(o.substrate);
+  drop.particle = material_option(o.particle, "particle");
+  drop.substrate = material_option(o.substrate, "substrate");
   if (c.count("--velocity") == 0) {
     throw InvalidInput("kat analyse: impact velocity", "nothing", "--velocity V in m/s",
                        "give the speed at which the plate met the anvil, such as 1.4");
@@ -136,13 +136,13 @@ void run(const CLI::App& c, const Options& o) {
 }
 
 void add_options(CLI::App& c, Options& o) {
-  const std::string names = "known name: " + known_material_names();
+  const std::string names = material_option_help();
   c.add_option("--before", o.files.before,
                "tables or pictures of grains before the drop (patterns may be quoted)")
       ->required();
   c.add_option("--after", o.files.after, "the same after the drop")->required();
   c.add_option("--pixel-size-um", o.pixel_size_um,
-               "side of a pixel [um], for tables in pixels and pictures");
+               "side of a pixel [um], for tables in pixels and pictures that do not say it");
   c.add_option("--velocity", o.velocity, "impact velocity [m/s]");
   c.add_option("--particle", o.particle, names)->required();
   c.add_option("--substrate", o.substrate, names)->required();

@@ -2,13 +2,17 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 #include "analysis/commands/commands.h"
+#include "analysis/file_patterns.h"
 #include "analysis/kat_device/device_rows.h"
 #include "analysis/kat_device/device_session.h"
-#include "analysis/material_library.h"
+#include "analysis/kat_device/session_log.h"
+#include "analysis/study_material.h"
 #include "analysis/write_file.h"
 #include "models/invalid_input.h"
 
@@ -43,8 +47,8 @@ void check_outputs(const Options& o) {
     throw InvalidInput("--study", "no --particle or no --substrate", "both materials",
                        "such as --particle 316L --substrate borosilicate_glass");
   }
-  find_material(o.particle);
-  find_material(o.substrate);
+  material_option(o.particle, "particle");
+  material_option(o.substrate, "substrate");
   if (!o.diameters_um.empty() && o.csv.empty()) {
     throw InvalidInput("--study", "critical diameters, but no --csv", "a table for the study",
                        "name it with --csv");
@@ -52,28 +56,29 @@ void check_outputs(const Options& o) {
 }
 
 std::vector<LoggedDrop> from_device(const Options& o) {
-  DeviceSession device(o.port, o.baud, o.wait_s);
-  const auto save = [&] {
-    if (o.log.empty()) return;
-    std::string text;
-    for (const std::string& line : device.lines()) text += line + "\n";
-    write_file(o.log, text);
-  };
+  std::optional<SessionLog> log;
+  DeviceSession device(o.port, o.baud, o.wait_s, [&](const std::string& line) {
+    if (log) log->take(line);
+    fmt::print("{}\n", line);
+    std::fflush(stdout);
+  });
+  if (!o.log.empty()) log.emplace(o.log, o.force);
   try {
     if (!o.settings.empty()) device.command("set", o.settings);
     for (const std::string& command : o.commands) device.command(command);
   } catch (const InvalidInput&) {
-    save();  // what was measured so far is not lost
+    if (log) log->finish();  // what was measured so far is not lost
     throw;
   }
-  save();
-  for (const std::string& line : device.lines()) fmt::print("{}\n", line);
+  if (log) log->finish();
+  device.log().end();
+  for (const std::string& note : device.log().notes()) fmt::print(stderr, "powderlink: {}\n", note);
   return device.log().drops();
 }
 
 std::vector<LoggedDrop> from_logs(const Options& o) {
   std::vector<LoggedDrop> drops;
-  for (const std::string& file : o.logs) {
+  for (const fs::path& file : expand_patterns(o.logs, "logs of the KAT device")) {
     const DropLog log = read_drop_log(file, o.skip_damaged);
     for (const std::string& note : log.notes()) fmt::print(stderr, "powderlink: {}\n", note);
     drops.insert(drops.end(), log.drops().begin(), log.drops().end());
@@ -108,8 +113,9 @@ void run(const Options& o) {
     const fs::path folder = fs::absolute(o.study).parent_path();
     const std::string csv =
         o.csv.empty() ? "" : fs::absolute(o.csv).lexically_relative(folder).string();
-    write_file(o.study, device_study(found.rows, fs::path(o.study).stem().string(), csv, o.particle,
-                                     o.substrate));
+    write_file(o.study, device_study(found.rows, fs::path(o.study).stem().string(), csv,
+                                     material_option(o.particle, "particle"),
+                                     material_option(o.substrate, "substrate")));
   }
 }
 
@@ -119,7 +125,7 @@ void add_kat_device_command(CLI::App& kat) {
   CLI::App* c = kat.add_subcommand(
       "device", "drops of the KAT device, from its serial port or saved logs, as rows of a study");
   auto o = std::make_shared<Options>();
-  c->add_option("log", o->logs, "logs of the device");
+  c->add_option("log", o->logs, "logs of the device (patterns may be quoted)");
   c->add_option("--port", o->port, "serial port, such as /dev/ttyACM0");
   c->add_option("--baud", o->baud, "its speed")->capture_default_str();
   c->add_option("--set", o->settings, "KEY=VALUE of the device, before the commands");
@@ -129,11 +135,11 @@ void add_kat_device_command(CLI::App& kat) {
   c->add_option("--wait", o->wait_s, "longest wait for a command [s]")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
-  c->add_option("--log", o->log, "write all lines of the device to this file");
+  c->add_option("--log", o->log, "write all lines of the device to this file as they come");
   c->add_option("--csv", o->csv, "write the rows of a study to this file");
   c->add_option("--study", o->study, "write a study of these rows (TOML)");
-  c->add_option("--particle", o->particle, "material of the powder, for --study");
-  c->add_option("--substrate", o->substrate, "material of the plate, for --study");
+  c->add_option("--particle", o->particle, material_option_help() + "; of the powder, for --study");
+  c->add_option("--substrate", o->substrate, "the same of the plate");
   c->add_option("--critical-diameter", o->diameters_um,
                 "critical diameters [um] from the microscope, one per drop");
   c->add_option("--critical-diameter-sigma", o->diameter_sigmas_um,

@@ -8,7 +8,7 @@
 #include "analysis/checks.h"
 #include "analysis/commands/commands.h"
 #include "analysis/kat_theory_report.h"
-#include "analysis/material_library.h"
+#include "analysis/study_material.h"
 #include "analysis/text_table.h"
 #include "analysis/write_file.h"
 
@@ -30,10 +30,11 @@ std::string table(const std::string& title, const std::vector<Quantity>& quantit
   return t.text();
 }
 
-nlohmann::ordered_json json_of(const KatTheoryReport& report, const Options& o) {
+nlohmann::ordered_json json_of(const KatTheoryReport& report, const KatTheoryInput& input,
+                               const Options& o) {
   nlohmann::ordered_json j;
-  j["particle"] = o.particle;
-  j["substrate"] = o.substrate;
+  j["particle"] = input.particle.name;
+  j["substrate"] = input.substrate.name;
   j["impact_velocity_m_s"] = o.velocity;
   for (const auto* list : {&report.contact, &report.answers}) {
     for (const Quantity& q : *list) j[q.name] = q.value;
@@ -48,13 +49,15 @@ nlohmann::ordered_json json_of(const KatTheoryReport& report, const Options& o) 
 }
 
 void run(const CLI::App& command, const Options& o) {
-  KatTheoryInput input{find_material(o.particle), find_material(o.substrate), o.velocity};
+  KatTheoryInput input{material_option(o.particle, "particle"),
+                       material_option(o.substrate, "substrate"), o.velocity};
   if (command.count("--diameter") > 0) input.critical_diameter_um = o.diameter;
   if (command.count("--adhesive-energy") > 0) input.adhesive_energy_J_m2 = o.energy;
   const KatTheoryReport report = kat_theory_report(input);
-  if (!o.json.empty()) write_file(o.json, json_of(report, o).dump(1) + "\n");
+  if (!o.json.empty()) write_file(o.json, json_of(report, input, o).dump(1) + "\n");
 
-  fmt::print("{} on {}, impact at {:g} m/s\n\n", o.particle, o.substrate, o.velocity);
+  fmt::print("{} on {}, impact at {:g} m/s\n\n", input.particle.name, input.substrate.name,
+             o.velocity);
   fmt::print("{}\n",
              table(input.critical_diameter_um ? "adhesive energy Gamma by" : "critical diameter by",
                    report.answers));
@@ -78,7 +81,7 @@ void add_kat_theory_command(CLI::App& kat) {
       "theory",
       "closed forms of one drop: adhesive energy from a critical diameter, or the reverse");
   auto o = std::make_shared<Options>();
-  const std::string names = "known name: " + known_material_names();
+  const std::string names = material_option_help();
   c->add_option("--particle", o->particle, names)->required();
   c->add_option("--substrate", o->substrate, names)->required();
   c->add_option("--velocity", o->velocity, "impact velocity [m/s]")->required();

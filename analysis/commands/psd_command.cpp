@@ -7,6 +7,7 @@
 
 #include "analysis/commands/commands.h"
 #include "analysis/commands/segmentation_options.h"
+#include "analysis/file_patterns.h"
 #include "analysis/psd/powder_inputs.h"
 #include "analysis/psd/psd_figures.h"
 #include "analysis/psd/psd_report.h"
@@ -125,7 +126,8 @@ void add_psd_command(CLI::App& app) {
   c->add_option("files", o->files, "tables (.csv, .txt, .xls) and pictures; patterns may be quoted")
       ->required();
   c->add_option("--pixel-size-um", psd.pixel_size_um,
-                "side of a pixel [um]; 1 for tables of an image that had its scale in um");
+                "side of a pixel [um]; 1 for tables of an image that had its scale in um; "
+                "not needed for TIFFs that say it");
   c->add_option("--scale-bar-um", o->bar_um, "... or what the picture's scale bar says [um]");
   c->add_option("--scale-bar-px", o->bar_px, "... and its length in pixels");
   c->add_option("--json", o->json, "write the numbers to this file too");

@@ -4,12 +4,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
-#include <sstream>
-
-#include <toml++/toml.h>
-
-#include "analysis/material_library.h"
+#include "analysis/study_material.h"
+#include "analysis/toml_text.h"
 #include "models/effect_registry.h"
 
 namespace powderlink::analysis {
@@ -17,22 +13,6 @@ namespace powderlink::analysis {
 namespace fs = std::filesystem;
 
 namespace {
-
-std::string quoted(const std::string& text) {
-  std::ostringstream out;
-  out << toml::value<std::string>(text);
-  return out.str();
-}
-
-std::string material_text(const char* table, const models::Material& m) {
-  const auto& known = known_materials();
-  const bool by_name = std::any_of(known.begin(), known.end(),
-                                   [&](const models::Material& k) { return k.name == m.name; });
-  if (by_name) return fmt::format("\n[{}]\nmaterial = {}\n", table, quoted(m.name));
-  return fmt::format(
-      "\n[{}]\ndensity_kg_m3 = {:.9g}\nyoungs_modulus_Pa = {:.9g}\npoissons_ratio = {:.9g}\n",
-      table, m.density_kg_m3, m.youngs_modulus_Pa, m.poissons_ratio);
-}
 
 std::string effect_text(const Candidate& c, const EffectChoice& choice) {
   std::string text = fmt::format("\n[effect.{}]\n", choice.name);
@@ -73,7 +53,7 @@ std::string study_text(const Study& study, const Candidate& c, const fs::path& f
   for (const EffectChoice& e : c.hypothesis.effects) names.push_back(quoted(e.name));
   std::string text =
       fmt::format("# {} with {}, written by powderlink add\n[study]\nname = {}\nexperiment = {}\n",
-                  study.name, fmt::join(c.added, ", "),
+                  quoted(study.name), fmt::join(c.added, ", "),
                   quoted(study.name + "+" + fmt::format("{}", fmt::join(c.added, "+"))),
                   quoted(study.experiment));
   std::vector<std::string> tables;

@@ -4,8 +4,12 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <map>
+
 #include "analysis/checks.h"
+#include "analysis/study_material.h"
 #include "analysis/text_table.h"
+#include "analysis/toml_text.h"
 #include "models/invalid_input.h"
 
 namespace powderlink::analysis {
@@ -20,6 +24,30 @@ void require_one_per_drop(const std::string& option, std::size_t given, std::siz
                      "give them in the order of the drops");
 }
 
+std::string report_of(const kat::Drop& drop) {
+  std::string text;
+  for (uint8_t i = 0; i < drop.lines(); ++i) text += kat::drop_line(drop, i).finish();
+  return text;
+}
+
+/// Every drop once: the device sends its report by itself and again when asked, and a log may be
+/// given together with its copy. All fields agree then, times since release to the microsecond.
+std::vector<LoggedDrop> each_once(const std::vector<LoggedDrop>& drops,
+                                  std::vector<std::string>& notes) {
+  std::map<std::string, std::string> places;  // by the whole report
+  std::vector<LoggedDrop> once;
+  for (const LoggedDrop& logged : drops) {
+    const auto [known, is_new] = places.emplace(report_of(logged.drop), logged.place);
+    if (is_new) {
+      once.push_back(logged);
+    } else {
+      notes.push_back(fmt::format("{}: the same report of drop {} as {}, counted once",
+                                  logged.place, logged.drop.number, known->second));
+    }
+  }
+  return once;
+}
+
 std::string cell(const std::optional<double>& value, const char* format) {
   return value ? fmt::format(fmt::runtime(format), *value) : "-";
 }
@@ -30,7 +58,7 @@ DeviceRows device_rows(const std::vector<LoggedDrop>& drops, const DeviceSigmas&
                        const std::vector<double>& diameters_um,
                        const std::vector<double>& sigmas_um) {
   DeviceRows result;
-  for (const LoggedDrop& logged : drops) {
+  for (const LoggedDrop& logged : each_once(drops, result.notes)) {
     const kat::Drop& drop = logged.drop;
     if (drop.fault != kat::Code::none) {
       result.notes.push_back(fmt::format("{}: drop {} ended in {} ({}), left out; to do: {}",
@@ -51,6 +79,10 @@ DeviceRows device_rows(const std::vector<LoggedDrop>& drops, const DeviceSigmas&
     result.rows.push_back(row);
   }
   const std::size_t n = result.rows.size();
+  if (diameters_um.empty() && !sigmas_um.empty()) {
+    throw InvalidInput("--critical-diameter-sigma", "deviations without diameters",
+                       "both options, or neither", "give --critical-diameter too");
+  }
   require_one_per_drop("--critical-diameter", diameters_um.size(), n, false);
   require_one_per_drop("--critical-diameter-sigma", sigmas_um.size(), n, true);
   for (std::size_t i = 0; i < n && !diameters_um.empty(); ++i) {
@@ -92,7 +124,7 @@ std::string device_csv(const std::vector<DeviceRow>& rows) {
     contacts = contacts && row.contact_time_us.has_value();
   }
   std::string text = "# Drops of the KAT device; velocity by the beam and gravity.\n";
-  for (const DeviceRow& row : rows) text += "# " + row.source.place + "\n";
+  for (const DeviceRow& row : rows) text += "# " + quoted(row.source.place) + "\n";
   text += "impact_velocity_m_s";
   if (diameters) text += ",critical_diameter_um";
   if (sigmas) text += ",critical_diameter_sigma_um";
@@ -109,16 +141,15 @@ std::string device_csv(const std::vector<DeviceRow>& rows) {
 }
 
 std::string device_study(const std::vector<DeviceRow>& rows, const std::string& name,
-                         const std::string& csv, const std::string& particle,
-                         const std::string& substrate) {
+                         const std::string& csv, const models::Material& particle,
+                         const models::Material& substrate) {
   const bool measured = !rows.empty() && rows.front().critical_diameter_um.has_value();
   std::string text = fmt::format(
-      "# Drops of the KAT device.\n[study]\nname = \"{}\"\nexperiment = "
+      "# Drops of the KAT device.\n[study]\nname = {}\nexperiment = "
       "\"kat_critical_diameter\"\n",
-      name);
-  if (measured) text += fmt::format("measurements = \"{}\"\n", csv);
-  text += fmt::format("\n[particle]\nmaterial = \"{}\"\n\n[substrate]\nmaterial = \"{}\"\n",
-                      particle, substrate);
+      quoted(name));
+  if (measured) text += fmt::format("measurements = {}\n", quoted(csv));
+  text += material_text("particle", particle) + material_text("substrate", substrate);
   text +=
       "\n[model]\neffects = [\"finite_stop_pulse\"]  # contact_time_us of the table is its tau_s\n";
   if (measured) return text + "\n[fit]\nadhesive_energy_J_m2 = [0.001, 1000.0]\n";

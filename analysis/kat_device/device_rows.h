@@ -10,6 +10,7 @@
 
 #include "analysis/kat_device/device_velocity.h"
 #include "analysis/kat_device/drop_log.h"
+#include "models/material.h"
 
 namespace powderlink::analysis {
 
@@ -23,9 +24,10 @@ struct DeviceRow {
 
 struct DeviceRows {
   std::vector<DeviceRow> rows;     ///< drops without fault
-  std::vector<std::string> notes;  ///< faults with what to do, times that do not agree
+  std::vector<std::string> notes;  ///< faults with what to do, times that do not agree, repetitions
 };
 
+/// A report that is in `drops` again, identical in all fields, is one drop.
 /// \param diameters_um, sigmas_um  none, or one per drop without fault, in order; sigmas may be one for all
 DeviceRows device_rows(const std::vector<LoggedDrop>& drops, const DeviceSigmas& sigmas,
                        const std::vector<double>& diameters_um,
@@ -36,7 +38,7 @@ std::string device_table(const std::vector<DeviceRow>& rows);  ///< for the term
 std::string device_csv(const std::vector<DeviceRow>& rows);
 /// A study of these rows; `csv` as the study names it, used when the rows have diameters.
 std::string device_study(const std::vector<DeviceRow>& rows, const std::string& name,
-                         const std::string& csv, const std::string& particle,
-                         const std::string& substrate);
+                         const std::string& csv, const models::Material& particle,
+                         const models::Material& substrate);
 
 }  // namespace powderlink::analysis

@@ -14,13 +14,13 @@ namespace {
 
 constexpr std::size_t kShown = 60;  // of a line in a message
 
-std::string shown(const std::string& line) {
+}  // namespace
+
+std::string printable(const std::string& line) {
   std::string text;
   for (const char c : line.substr(0, kShown)) text += c >= ' ' && c <= '~' ? c : '?';
   return "'" + text + (line.size() > kShown ? "...'" : "'");
 }
-
-}  // namespace
 
 void DropLog::damaged(const std::string& what, const std::string& given, const std::string& to_do) {
   const std::string where = fmt::format("{}, line {}: {}", name_, line_, what);
@@ -40,7 +40,7 @@ void DropLog::take(const std::string& text) {
   const kat::Code code = parsed.parse(
       line.data(), static_cast<uint16_t>(std::min<std::size_t>(line.size(), UINT16_MAX)));
   if (code != kat::Code::none) {
-    damaged(std::string("damaged line (") + kat::code_name(code) + ")", shown(line),
+    damaged(std::string("damaged line (") + kat::code_name(code) + ")", printable(line),
             kat::code_advice(code));
     return;  // if it was a drop's, that drop's count of lines tells
   }
@@ -57,7 +57,7 @@ void DropLog::take(const std::string& text) {
     case kat::DropReader::Result::broken:
       if (!spoiled_) {
         spoiled_ = true;
-        damaged("broken report", shown(line), "ask the device for its report again");
+        damaged("broken report", printable(line), "ask the device for its report again");
       }
       break;
     default:

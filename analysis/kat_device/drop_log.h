@@ -28,6 +28,7 @@ class DropLog {
   /// No line follows: throws, or notes, when a drop is cut.
   void end();
 
+  bool inside() const { return reader_.inside(); }  ///< a report has begun and not ended
   const std::vector<LoggedDrop>& drops() const { return drops_; }
   const std::vector<std::string>& notes() const { return notes_; }
 
@@ -42,6 +43,9 @@ class DropLog {
   std::vector<LoggedDrop> drops_;
   std::vector<std::string> notes_;
 };
+
+/// A line in quotes for a message: its beginning, other bytes than printable ASCII as `?`.
+std::string printable(const std::string& line);
 
 DropLog read_drop_log(const std::filesystem::path& file, bool skip_damaged);
 

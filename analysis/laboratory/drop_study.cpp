@@ -9,6 +9,8 @@
 
 #include "analysis/file_text.h"
 #include "analysis/study.h"
+#include "analysis/study_material.h"
+#include "analysis/toml_text.h"
 #include "analysis/write_file.h"
 
 namespace powderlink::analysis {
@@ -17,7 +19,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr double kNormal95 = 1.96;
 const char* kTime = "contact_time_us";
 
 std::vector<std::string> columns(const KatDrop& drop) {
@@ -38,10 +39,11 @@ std::string row_text(const KatAnalysis& a) {
 
 std::string new_study(const fs::path& study, const fs::path& table, const KatDrop& drop) {
   std::string text = fmt::format(
-      "# Drops evaluated by powderlink kat analyse\n[study]\nname = \"{}\"\n"
-      "experiment = \"kat_critical_diameter\"\nmeasurements = \"{}\"\n\n[particle]\n"
-      "material = \"{}\"\n\n[substrate]\nmaterial = \"{}\"\n\n[model]\n",
-      study.stem().string(), table.filename().string(), drop.particle.name, drop.substrate.name);
+      "# Drops evaluated by powderlink kat analyse\n[study]\nname = {}\n"
+      "experiment = \"kat_critical_diameter\"\nmeasurements = {}\n",
+      quoted(study.stem().string()), quoted(table.filename().string()));
+  text += material_text("particle", drop.particle) + material_text("substrate", drop.substrate);
+  text += "\n[model]\n";
   text += "effects = []  # an instant stop; powderlink diagnose tells what is missing\n";
   if (drop.contact_time_s) {
     text += fmt::format(
@@ -55,10 +57,11 @@ std::string new_study(const fs::path& study, const fs::path& table, const KatDro
 }
 
 void require_same_pair(const Study& old, const KatDrop& drop, const fs::path& file) {
+  if (same_material(old.particle, drop.particle) && same_material(old.substrate, drop.substrate))
+    return;
   const auto pair = [](const models::Material& a, const models::Material& b) {
-    return a.name + " on " + b.name;
+    return material_words(a) + " on " + material_words(b);
   };
-  if (pair(old.particle, old.substrate) == pair(drop.particle, drop.substrate)) return;
   throw InvalidInput(file.string(), pair(drop.particle, drop.substrate),
                      pair(old.particle, old.substrate) + ", as its drops so far",
                      "name another study with --study");

@@ -2,8 +2,10 @@
 #include "analysis/laboratory/grain_files.h"
 
 #include <algorithm>
-#include <boost/algorithm/string/case_conv.hpp>
+#include <set>
 
+#include "analysis/file_patterns.h"
+#include "analysis/particles/picture_names.h"
 #include "models/invalid_input.h"
 
 namespace powderlink::analysis {
@@ -17,15 +19,11 @@ double GrainDiameters::ratio_of_files() const {
 ParticleSet read_tables_of_grains(const std::vector<fs::path>& files,
                                   std::optional<double> pixel_size_um) {
   for (const fs::path& file : files) {
-    std::string kind = file.extension().string();
-    boost::algorithm::to_lower(kind);
-    for (const char* image : {".png", ".tif", ".tiff", ".jpg", ".jpeg", ".bmp"}) {
-      if (kind != image) continue;
-      throw InvalidInput(
-          "grains before and after the drop", file.string() + ", a picture",
-          "tables of grains with Area and Perim.",
-          "measure the grains first, by powderlink psd or in Fiji, and give its table");
-    }
+    if (!has_picture_suffix(file)) continue;
+    throw InvalidInput(
+        "grains before and after the drop", file.string() + ", a picture",
+        "tables of grains with Area and Perim.",
+        "measure the grains first, by powderlink psd or in Fiji, and give its table");
   }
   return read_particle_tables(files, pixel_size_um);
 }
@@ -33,8 +31,10 @@ ParticleSet read_tables_of_grains(const std::vector<fs::path>& files,
 GrainDiameters read_grains(const GrainFiles& given, const ParticleReader& reader) {
   const std::vector<fs::path> before = expand_patterns(given.before);
   std::vector<fs::path> files = before;
+  std::set<fs::path> known;  // however they are spelled: ./a.csv is a.csv
+  for (const fs::path& file : before) known.insert(fs::weakly_canonical(file));
   for (const fs::path& file : expand_patterns(given.after)) {
-    if (std::find(before.begin(), before.end(), file) != before.end()) {
+    if (known.count(fs::weakly_canonical(file)) > 0) {
       throw InvalidInput("files before and after the drop", file.string() + " in both",
                          "every file in one of them", "correct --before or --after");
     }

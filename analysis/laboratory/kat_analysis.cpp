@@ -12,8 +12,7 @@ namespace powderlink::analysis {
 
 namespace {
 
-constexpr double kNormal95 = 1.96;  // standard deviations
-constexpr double kLeast = 0.05;     // of a value: the low end of an interval that reaches 0
+constexpr double kLeast = 0.05;  // of a value: the low end of an interval that reaches 0
 
 /// The drop with `value` at both ends; nothing when it is exact.
 template <class Set>

@@ -27,6 +27,9 @@ struct RetentionOptions {
   std::uint32_t seed = 1;
 };
 
+/// Standard deviations from the middle to an end of a 95 % interval of a normal distribution.
+inline constexpr double kNormal95 = 1.96;
+
 /// A diameter with its 95 % interval [um].
 struct Estimate {
   double value = 0.0, low = 0.0, high = 0.0;

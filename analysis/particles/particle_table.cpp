@@ -2,11 +2,9 @@
 #include "analysis/particles/particle_table.h"
 
 #include <fmt/format.h>
-#include <glob.h>
 
 #include <algorithm>
 #include <boost/algorithm/string/predicate.hpp>
-#include <set>
 
 #include "analysis/particles/particle_columns.h"
 #include "models/invalid_input.h"
@@ -74,6 +72,32 @@ Particle read_row(const CsvTable& table, const ParticleColumns& columns, const C
   return p;
 }
 
+/// Takes out the rows that ImageJ's Results > Summarize appends; they are no grains.
+void drop_summary(CsvTable& table, ParticleSet& set) {
+  std::vector<std::size_t> names;  // where ImageJ writes the word, by version and options
+  for (std::size_t c = 0; c < table.columns.size(); ++c) {
+    if (table.columns[c].empty() || boost::algorithm::iequals(table.columns[c], "label"))
+      names.push_back(c);
+  }
+  const std::size_t all = table.rows.size();
+  const auto is_summary = [&](const CsvTable::Row& row) {
+    return std::any_of(names.begin(), names.end(), [&](std::size_t c) {
+      const std::string& cell = row.cells[c];
+      return cell == "Mean" || cell == "SD" || cell == "Min" || cell == "Max";
+    });
+  };
+  table.rows.erase(std::remove_if(table.rows.begin(), table.rows.end(), is_summary),
+                   table.rows.end());
+  if (table.rows.empty()) {
+    throw InvalidInput(table.file, "a summary (Mean, SD, Min, Max) and no grains",
+                       "one row per grain", "save the results, not only their summary");
+  }
+  if (table.rows.size() == all) return;
+  set.notes.push_back(
+      fmt::format("{}: {} rows of ImageJ's Summarize (Mean, SD, Min, Max) are left out", table.file,
+                  all - table.rows.size()));
+}
+
 void judge_table(const CsvTable& table, const ParticleColumns& columns,
                  const std::vector<Particle>& particles, double scale, ParticleSet& set) {
   if (!columns.perimeter) {
@@ -102,7 +126,8 @@ void judge_table(const CsvTable& table, const ParticleColumns& columns,
 }
 
 void read_table(const fs::path& file, const std::optional<double>& given, ParticleSet& set) {
-  const CsvTable table = read_csv(file, kFormat);
+  CsvTable table = read_csv(file, kFormat);
+  drop_summary(table, set);
   const ParticleColumns columns = find_particle_columns(table);
   std::optional<double> scale = given;
   if (const auto stated = stated_pixel_size_um(table))
@@ -131,30 +156,6 @@ void read_table(const fs::path& file, const std::optional<double>& given, Partic
 }
 
 }  // namespace
-
-std::vector<fs::path> expand_patterns(const std::vector<std::string>& patterns) {
-  std::vector<fs::path> files;
-  std::set<fs::path> seen;
-  const auto add = [&](const fs::path& file) {
-    if (seen.insert(fs::weakly_canonical(file)).second) files.push_back(file);
-  };
-  for (const std::string& pattern : patterns) {
-    if (fs::exists(pattern)) {  // a name may hold brackets
-      add(pattern);
-      continue;
-    }
-    glob_t found{};
-    const int status = ::glob(pattern.c_str(), 0, nullptr, &found);
-    for (std::size_t i = 0; i < found.gl_pathc; ++i) add(found.gl_pathv[i]);
-    ::globfree(&found);
-    if (status != 0) {
-      throw InvalidInput("files of grains", pattern,
-                         "a file, or a pattern with *, ? or [..] that fits at least one",
-                         "check path and pattern; quote a pattern that the shell must not expand");
-    }
-  }
-  return files;
-}
 
 double require_pixel_size_um(double value, const std::string& where) {
   constexpr double smallest = 1e-4, largest = 1e3;

@@ -8,6 +8,7 @@
 ///   units:     pixels, unless the name says otherwise: `area_um2`, `Area (µm^2)`
 ///   the scale: argument, or a comment line `# pixel_size_um: 0.5`, or a column `pixel_size_um`
 ///
+/// Rows that ImageJ's Summarize appends (Mean, SD, Min, Max) are left out, with a note.
 /// Case does not matter, nor does a dot at the end of a name. Errors are InvalidInput with file,
 /// line and column; different pixel sizes in one set are refused, because what is too small to be
 /// seen then differs from file to file.
@@ -29,10 +30,6 @@ struct ParticleSet {
   std::vector<Particle> particles;
   std::vector<std::string> notes;  ///< what a reader of the result should know
 };
-
-/// Files of all patterns (*, ?, [..], as in a shell), each once, in the order given.
-/// Throws for a pattern or name without a file.
-std::vector<std::filesystem::path> expand_patterns(const std::vector<std::string>& patterns);
 
 /// 1e-4 to 1000 um; `where` names option or file.
 double require_pixel_size_um(double value, const std::string& where);

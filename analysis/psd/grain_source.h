@@ -19,7 +19,8 @@ struct GrainSource {
 
 using PictureProgress = std::function<void(std::size_t done, std::size_t all)>;
 
-/// Throws for the first file that cannot be used, and for a picture without a pixel size.
+/// Pictures have the scale that is given, else that of their TIFF (tiff_facts.h).
+/// Throws for the first file that cannot be used, for stacks, scales that differ, and without a scale.
 GrainSource read_grain_source(const std::vector<std::filesystem::path>& files,
                               std::optional<double> pixel_size_um,
                               const SegmentationOptions& segmentation,

@@ -3,11 +3,11 @@
 
 #include <fmt/format.h>
 
-#include <boost/algorithm/string/case_conv.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 #include <set>
 
+#include "analysis/particles/picture_names.h"
 #include "models/invalid_input.h"
 
 namespace powderlink::analysis {
@@ -33,12 +33,9 @@ double full_scale(const cv::Mat& picture) {
 }  // namespace
 
 bool looks_like_picture(const std::filesystem::path& file) {
-  static const std::set<std::string> pictures = {".png", ".tif", ".tiff", ".jpg", ".jpeg",
-                                                 ".bmp", ".pgm", ".ppm",  ".jp2", ".webp"};
   static const std::set<std::string> tables = {".csv", ".tsv", ".txt", ".xls", ".dat"};
-  const std::string suffix = boost::algorithm::to_lower_copy(file.extension().string());
-  if (pictures.count(suffix) > 0) return true;
-  return tables.count(suffix) == 0 && std::filesystem::is_regular_file(file) &&
+  if (has_picture_suffix(file)) return true;
+  return tables.count(lower_suffix(file)) == 0 && std::filesystem::is_regular_file(file) &&
          cv::haveImageReader(file.string());
 }
 

@@ -35,10 +35,10 @@ std::string optional_cell(const std::optional<double>& value) {
   return value ? fmt::format("{:.6g}", *value) : "";
 }
 
-/// A name as a cell; the reader's own quotes.
-std::string quoted(std::string text) {
-  for (std::size_t at = 0; (at = text.find_first_of("\"\\", at)) != std::string::npos; at += 2)
-    text.insert(at, "\\");
+/// A name as a cell, by RFC 4180.
+std::string in_cell(std::string text) {
+  for (std::size_t at = 0; (at = text.find('"', at)) != std::string::npos; at += 2)
+    text.insert(at, "\"");
   return "\"" + text + "\"";
 }
 
@@ -52,7 +52,7 @@ std::string particles_table(const PsdReport& r) {
     const Particle& p = r.set.particles[i];
     text +=
         fmt::format("{},{},{:.9g},{:.9g},{:.6g},{:.6g},{:.5g},{},{},{}\n",
-                    quoted(r.set.files[p.file]), p.place, p.area_um2, p.perimeter_um,
+                    in_cell(r.set.files[p.file]), p.place, p.area_um2, p.perimeter_um,
                     p.area_diameter_um(), p.perimeter_diameter_um(), p.circularity(),
                     optional_cell(p.aspect_ratio), optional_cell(p.feret_um), r.speck[i] ? 1 : 0);
   }

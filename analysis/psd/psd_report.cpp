@@ -132,11 +132,11 @@ PsdReport analyse_sizes(const std::vector<fs::path>& files, const PsdOptions& op
   r.aspect_ratio = shape(aspect, options.bootstrap);
   r.with_aspect_ratio = aspect.size();
   fits(r);
-  if (!r.overlays.empty() && r.by_number[1].value < kSmallMedian_px * *options.pixel_size_um) {
+  if (!r.overlays.empty() && r.by_number[1].value < kSmallMedian_px * *r.set.pixel_size_um) {
     r.set.notes.push_back(fmt::format(
         "the median grain has {:.2g} pixels only: sizes are uncertain by their edges; use a higher "
         "magnification",
-        r.by_number[1].value / *options.pixel_size_um));
+        r.by_number[1].value / *r.set.pixel_size_um));
   }
   return r;
 }

@@ -27,7 +27,32 @@ void Console::receive(char c) {
   if (!reader_.take(c)) return;
   Code code = reader_.trouble();
   if (code == Code::none) code = line_.parse(reader_.text(), reader_.length());
-  command(code);
+  const bool abort = code == Code::none && same_text(line_.word(), "abort");
+  if (machine_.measuring() && !abort) {
+    refuse_later(code);
+  } else {
+    command(code);
+  }
+}
+
+void Console::refuse_later(Code trouble) {
+  if (++late_ > 1) return;
+  late_name_ = "-";
+  late_code_ = trouble;
+  if (trouble != Code::none) return;
+  const Entry* entry = find(line_.word());
+  late_code_ = entry == nullptr ? Code::unknown_command : Code::wrong_state;
+  if (entry != nullptr) late_name_ = entry->name;
+}
+
+/// The first by its name, the others without.
+bool Console::tell_refused() {
+  if (late_ == 0) return false;
+  send(LineWriter("error").text("cmd", late_name_).text("code", code_name(late_code_)));
+  --late_;
+  late_name_ = "-";
+  late_code_ = Code::wrong_state;
+  return true;
 }
 
 void Console::command(Code trouble) {
@@ -42,14 +67,19 @@ void Console::command(Code trouble) {
   }
 }
 
-Code Console::run(const char* name) {
+const Console::Entry* Console::find(const char* name) {
   for (const Entry& entry : kCommands) {
-    if (!same_text(entry.name, name)) continue;
-    const Code code = entry.run(*this);
-    if (code == Code::none) send(LineWriter("ok").text("cmd", name));
-    return code;
+    if (same_text(entry.name, name)) return &entry;
   }
-  return Code::unknown_command;
+  return nullptr;
+}
+
+Code Console::run(const char* name) {
+  const Entry* entry = find(name);
+  if (entry == nullptr) return Code::unknown_command;
+  const Code code = entry->run(*this);
+  if (code == Code::none) send(LineWriter("ok").text("cmd", name));
+  return code;
 }
 
 Code Console::version() {
@@ -89,7 +119,7 @@ Code Console::abort() { return machine_.abort(); }
 Code Console::clear() { return machine_.clear(); }
 
 Code Console::report() {
-  if (machine_.measuring() || machine_.state() == State::armed) return Code::wrong_state;
+  if (machine_.state() == State::armed) return Code::wrong_state;  // and none comes while it falls
   if (machine_.last().number == 0) return Code::no_report;
   sending_ = Sending::report;
   sent_ = machine_.last().number;
@@ -99,9 +129,8 @@ Code Console::report() {
 }
 
 void Console::poll() {
-  // While it falls nothing is sent: a port that blocks would hold the loop.
   if (machine_.measuring() || !output_.ready()) return;
-  if (send_next()) return;
+  if (tell_refused() || send_next()) return;
   notice_self_test();
   notice_state();
 }

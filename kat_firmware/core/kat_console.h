@@ -5,6 +5,9 @@
 ///
 ///   version, status, config, set KEY=VALUE..., selftest, arm, drop, abort, clear, report
 ///
+/// While something falls nothing is sent, as a port's own interrupts would delay those of the edges:
+/// `abort` ends the test at once, every other line is refused, and told so when the test has ended.
+///
 /// Every command is answered by `ok` or `error` with a code. The lines of version and status come before
 /// their `ok`; those of config and report after it, with `done` behind them.
 /// Tests: tests/firmware/console_test.cpp
@@ -34,7 +37,7 @@ class Console {
   void poll();
 
  private:
-  typedef Code (*Command)(Console&);
+  using Command = Code (*)(Console&);
   struct Entry {
     const char* name;
     Command run;
@@ -42,6 +45,9 @@ class Console {
   enum class Sending : uint8_t { nothing, config, report };
 
   void command(Code trouble);
+  void refuse_later(Code trouble);
+  bool tell_refused();
+  static const Entry* find(const char* name);
   Code run(const char* name);
   void send(LineWriter line);
   const char* level(bool value, const char* yes, const char* no) const;
@@ -71,6 +77,9 @@ class Console {
   uint32_t sent_ = 0;  // number of the drop that was reported, or is being
   Sending sending_ = Sending::nothing;
   uint8_t next_ = 0;
+  uint16_t late_ = 0;            // lines that were refused while it fell
+  const char* late_name_ = "-";  // of the first of them, and why
+  Code late_code_ = Code::none;
   bool asked_ = false;  // the report was asked for: `done` after it
 };
 

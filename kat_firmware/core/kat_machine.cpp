@@ -86,9 +86,11 @@ Code Machine::abort() {
     fail(Code::aborted);
     return Code::none;
   }
-  if (state_ != State::armed && state_ != State::self_test) return Code::wrong_state;
+  const bool armed = state_ == State::armed;
+  if (!armed && state_ != State::self_test) return Code::wrong_state;
   power(false, false);
-  drop_.fault = Code::aborted;
+  if (armed)
+    drop_.fault = Code::aborted;  // during a self-test drop_ is the last drop, which was not
   enter(State::idle, since_us_);
   return Code::none;
 }

@@ -46,7 +46,7 @@ class Machine {
   bool beam_blocked() { return board_.beam_blocked(); }  ///< means something with sensors_on()
   bool contact_closed() { return board_.contact_closed(); }
   const Config& config() const { return config_; }
-  const Drop& last() const { return drop_; }           ///< whole in report, fault and idle
+  const Drop& last() const { return drop_; }  ///< changes from arm to its report or fault only
   Code self_test_result() const { return tested_; }    ///< of the last one
   uint32_t self_tests() const { return self_tests_; }  ///< that were finished
 

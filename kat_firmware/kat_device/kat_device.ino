@@ -91,7 +91,8 @@ void begin_ble() {
 }
 
 void poll_ble() {
-  // The radio may take milliseconds: not while something falls. Edges are kept by interrupts anyway.
+  // The radio may take milliseconds and interrupts: not while something falls. The console on USB is
+  // silent then too; what comes for it is refused, but for abort.
   if (!ble_on || machine.measuring()) return;
   BLE.poll();
   if (to_device.written()) {

@@ -27,4 +27,13 @@ inline CommandResult powderlink(const std::string& arguments) {
           read_file(base + ".err")};
 }
 
+/// Refused with all four parts of the message, and this in it.
+inline void expect_four_parts(const CommandResult& result, const std::string& fragment) {
+  EXPECT_EQ(result.status, 1) << result.out;
+  for (const std::string& part :
+       {std::string("; given: "), std::string("; allowed: "), std::string("; to do: "), fragment}) {
+    EXPECT_NE(result.err.find(part), std::string::npos) << part << " not in: " << result.err;
+  }
+}
+
 }  // namespace powderlink::analysis

@@ -90,6 +90,9 @@ TEST(GrainDrops, CellsThatCannotBe) {
   expect_refusal(read(kHeader + "\n2,none*.csv,a1.csv,1\n"), {"none*.csv"});
   expect_refusal(read(kHeader + "\n0,b1.csv,a1.csv,1\n"), {"line 2", "0 m/s"});
   expect_refusal(read(kHeader + "\n2,b1.csv,b1.csv,1\n"), {"in both"});
+  folder.write("b1.WEBP", "");
+  expect_refusal(read(kHeader + "\n2,b1.WEBP,a1.csv,1\n"),
+                 {"b1.WEBP, a picture", "powderlink psd"});
   expect_refusal(read(kHeader + ",class_width_percent\n2,b1.csv,a1.csv,1,90\n"),
                  {"class_width_percent", "1 to 50"});
 }

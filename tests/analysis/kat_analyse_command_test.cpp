@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "analysis/study.h"
 #include "tests/analysis/command_line.h"
 #include "tests/analysis/retention_sample.h"
 
@@ -93,6 +94,11 @@ TEST_F(KatAnalyse, GrowsAStudyThatCompareReads) {
                             velocity));
     ASSERT_EQ(r.status, 0) << r.err;
   }
+  // A name may hold anything, and becomes a comment of the new study too.
+  std::string text = read_file(file("s.toml"));
+  const std::string name = "name = \"s\"";
+  ASSERT_NE(text.find(name), std::string::npos) << text;
+  folder.write("s.toml", text.replace(text.find(name), name.size(), R"(name = "s\n[\"x]")"));
   EXPECT_EQ(powderlink("add " + file("s.toml") + " finite_stop_pulse -o " + file("f.toml")).status,
             0);
   const CommandResult r = powderlink("compare " + file("f.toml") + " --json " + file("c.json"));
@@ -115,6 +121,33 @@ TEST_F(KatAnalyse, GrowsAStudyThatCompareReads) {
   EXPECT_EQ(read_file(file("s.csv")), before);
 }
 
+TEST_F(KatAnalyse, MaterialsOfYourOwnGoIntoTheStudyByValue) {
+  folder.write("powder.toml",
+               "density_kg_m3 = 7980\nyoungs_modulus_Pa = 2.11e11\npoissons_ratio = 0.3\n");
+  const auto drop = [](double velocity, const std::string& particle) {
+    return fmt::format("--pixel-size-um 0.5 --velocity {} --substrate AlSi10Mg --particle {}",
+                       velocity, particle);
+  };
+  const std::string study = "--study " + file("own.toml");
+  const CommandResult first = analyse(study, drop(1.4, file("powder.toml")));
+  ASSERT_EQ(first.status, 0) << first.err;
+  EXPECT_NE(first.out.find("powder.toml on AlSi10Mg"), std::string::npos) << first.out;
+  EXPECT_EQ(read_study(file("own.toml")).particle.youngs_modulus_Pa, 2.11e11);
+  // The same by its name, and by its values; another by its values.
+  EXPECT_EQ(analyse(study, drop(1.5, "316L")).status, 0);
+  const std::string values = "density_kg_m3=7980,poissons_ratio=0.3,youngs_modulus_Pa=";
+  EXPECT_EQ(analyse(study, drop(1.6, values + "2.11e11")).status, 0);
+  const CommandResult other = analyse(study, drop(1.7, values + "2.0e11"));
+  EXPECT_EQ(other.status, 1);
+  EXPECT_NE(other.err.find("2e+11 Pa"), std::string::npos) << other.err;
+}
+
+TEST_F(KatAnalyse, AStudyMayHaveAnOddName) {
+  const std::string odd = "a\"b\\\n[c].toml";
+  ASSERT_EQ(analyse("--study '" + file(odd) + "'").status, 0);
+  EXPECT_EQ(read_study(file(odd)).name, "a\"b\\\n[c]");
+}
+
 TEST_F(KatAnalyse, RefusesBadInput) {
   refused("", "--pixel-size-um 0.5 --particle 316L --substrate UPVC",
           {"impact velocity", "nothing"});
@@ -134,6 +167,9 @@ TEST_F(KatAnalyse, RefusesBadInput) {
   refused("", drop_options(), {"exchange --before"});
   folder.write("before.csv", image_table(s.before_um));
   refused("--after " + file("before.csv"), drop_options(), {"in both"});
+  refused("--after " + file("./before.csv"), drop_options(), {"in both"});
+  fs::create_symlink(file("before.csv"), file("link.csv"));
+  refused("--after " + file("link.csv"), drop_options(), {"in both"});
   folder.write("after.png", "not a picture");
   refused("--after " + file("after.png"), drop_options(), {"after.png"});
   folder.write("after.csv", " ,Area,Perim.\n");

@@ -116,8 +116,10 @@ TEST(Console, ReportsADropToEveryPortAndThenIsIdle) {
   b.say("arm");
   b.run(300000);
   EXPECT_EQ(b.say("drop"), (Lines{"ok cmd=drop"}));
-  EXPECT_EQ(b.say("report"), (Lines{"error cmd=report code=wrong_state"}));
-  const Lines lines = b.run(2000000);
+  EXPECT_EQ(b.say("report"), Lines{});  // not while it falls
+  Lines lines = b.run(2000000);
+  EXPECT_EQ(lines.front(), "error cmd=report code=wrong_state");
+  lines.erase(lines.begin());
   ASSERT_EQ(lines.size(), 1U + 5U + 4U + 1U);
   EXPECT_EQ(lines.front(), "state name=report");
   EXPECT_EQ(lines[1], "drop n=1 fault=none state=report");
@@ -131,6 +133,56 @@ TEST(Console, ReportsADropToEveryPortAndThenIsIdle) {
   ASSERT_EQ(again.size(), 10U);
   EXPECT_EQ(again.back(), "done cmd=report");
   EXPECT_EQ(again.front(), lines[1]);
+}
+
+/// Interrupts of a port would delay those of the edges: it is silent from release to the end.
+TEST(Console, NothingIsSentWhileItFalls) {
+  const std::vector<std::pair<std::string, std::string>> lines = {
+      {"status", "error cmd=status code=wrong_state"},
+      {"clear", "error cmd=clear code=wrong_state"},
+      {"jump", "error cmd=- code=unknown_command"}};
+  for (const auto& [said, answer] : lines) {
+    Bench b;
+    b.say("arm");
+    b.run(300000);
+    b.say("drop");
+    EXPECT_EQ(b.say(said), Lines{});
+    b.say("set beam_um=40000");
+    b.type("KAT1 arm*0000\n");
+    while (b.machine.measuring()) {
+      // The last turn of the loop may be that in which it ends.
+      const Lines sent = b.run(500);
+      ASSERT_TRUE(sent.empty() || !b.machine.measuring()) << sent.front();
+      b.screen.lines.insert(b.screen.lines.begin(), sent.begin(), sent.end());
+    }
+    const Lines told = b.run(20000);
+    ASSERT_GT(told.size(), 4U);
+    EXPECT_EQ(told[0], answer);
+    EXPECT_EQ(told[1], "error cmd=- code=wrong_state");
+    EXPECT_EQ(told[2], "error cmd=- code=wrong_state");
+    EXPECT_EQ(told[3], "state name=report");
+    EXPECT_EQ(b.machine.last().fault, Code::none);
+    EXPECT_EQ(b.machine.config().beam_um, 30000U);
+  }
+}
+
+TEST(Console, DamagedLinesWhileItFallsAreNamed) {
+  Bench b;
+  b.say("arm");
+  b.run(300000);
+  b.say("drop");
+  b.type("KAT1 arm*0000\n");
+  EXPECT_EQ(b.run(2000000).front(), "error cmd=- code=bad_checksum");
+}
+
+TEST(Console, AbortActsWhileItFalls) {
+  Bench b;
+  b.say("arm");
+  b.run(300000);
+  b.say("drop");
+  b.run(1000);
+  EXPECT_EQ(b.say("abort"), (Lines{"ok cmd=abort"}));
+  EXPECT_EQ(b.run(20000).at(1), "drop n=1 fault=aborted state=released");
 }
 
 TEST(Console, ReportsAFault) {

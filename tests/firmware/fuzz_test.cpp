@@ -178,8 +178,15 @@ TEST(Fuzz, NothingButNoise) {
   EXPECT_GE(t.faults, 390);  // chance may make a drop
 }
 
+std::string lines_of(const Drop& drop) {
+  std::string text;
+  for (uint8_t i = 0; i < drop.lines(); ++i) text += drop_line(drop, i).finish();
+  return text;
+}
+
 /// Commands at random, in any state and with any world: the magnet never stays on outside `armed`, the
-/// sensors never outside a test, and the machine always comes back to idle.
+/// sensors never outside a test, what the last drop gave stays until the next is armed, and the machine
+/// always comes back to idle.
 TEST(Fuzz, CommandsInAnyOrder) {
   std::mt19937 random(7);
   for (int round = 0; round < 100; ++round) {
@@ -190,9 +197,11 @@ TEST(Fuzz, CommandsInAnyOrder) {
       if (random() % 2 == 0) e.resize(random() % e.size());
     };
     for (int i = 0; i < 60; ++i) {
+      const std::string before = lines_of(machine.last());
+      bool ended = machine.state() != State::armed && !machine.measuring();
       switch (random() % 7) {
         case 0:
-          machine.arm();
+          if (machine.arm() == Code::none) ended = false;
           break;
         case 1:
           machine.drop();
@@ -220,6 +229,7 @@ TEST(Fuzz, CommandsInAnyOrder) {
       ASSERT_EQ(board.sensors,
                 state == State::armed || state == State::self_test || machine.measuring());
       ASSERT_TRUE(state != State::fault || machine.last().fault != Code::none);
+      if (ended) ASSERT_EQ(lines_of(machine.last()), before) << "round " << round << ", turn " << i;
     }
     board.run(machine, 130000000, 20000);
     machine.clear();

@@ -204,6 +204,24 @@ TEST(Machine, AbortIsSafeEverywhere) {
   EXPECT_EQ(b.machine.state(), State::idle);
 }
 
+/// The report may still be fetched: it must not be called aborted.
+TEST(Machine, AbortingASelfTestLeavesTheLastDropAsItWas) {
+  Bench b;
+  ASSERT_EQ(b.test().fault, Code::none);
+  b.machine.report_sent();
+  const uint32_t velocity_um_s = b.machine.last().velocity_um_s;
+  ASSERT_EQ(b.machine.self_test(), Code::none);
+  ASSERT_EQ(b.machine.abort(), Code::none);
+  EXPECT_STREQ(code_name(b.machine.last().fault), "none");
+  EXPECT_EQ(b.machine.last().velocity_um_s, velocity_um_s);
+  // Of the next drop, armed and not let go, nothing was measured.
+  b.board.closed = false;
+  ASSERT_EQ(b.machine.arm(), Code::none);
+  ASSERT_EQ(b.machine.abort(), Code::none);
+  EXPECT_EQ(b.machine.last().number, 2U);
+  EXPECT_STREQ(code_name(b.machine.last().fault), "aborted");
+}
+
 TEST(Machine, SelfTestReadsTheSensorsAndPowersThemOff) {
   Bench b;
   const auto result = [&](bool blocked, bool closed) {

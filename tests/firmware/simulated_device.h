@@ -23,6 +23,10 @@ class SimulatedDevice : public Output {
   SimulatedBoard board;
   std::string greeting;  ///< noise before the first answer
   bool silent = false;
+  /// What becomes of a line on its way, such as a disturbed cable.
+  std::function<std::string(const std::string&)> on_the_way = [](const std::string& s) {
+    return s;
+  };
 
   SimulatedDevice() {
     char name[256];
@@ -42,7 +46,9 @@ class SimulatedDevice : public Output {
   }
 
   bool ready() override { return true; }
-  void write(const char* text, uint16_t length) override { send(std::string(text, length)); }
+  void write(const char* text, uint16_t length) override {
+    send(on_the_way(std::string(text, length)));
+  }
 
  private:
   void send(const std::string& text) {

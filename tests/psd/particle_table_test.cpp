@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "analysis/csv_table.h"
+#include "analysis/file_patterns.h"
 #include "tests/analysis/test_files.h"
 
 namespace powderlink::analysis {
@@ -53,6 +55,25 @@ TEST(ParticleTable, TabsSemicolonsAndCommasAreTheSame) {
   }
 }
 
+/// Labels of ImageJ are paths or titles: RFC 4180 knows doubled quotes and no backslash.
+TEST(ParticleTable, LabelsMayBePathsAndHoldQuotes) {
+  const TestFolder folder;
+  for (const std::string label :
+       {R"(C:\images\new\a.tif)", R"("C:\images\a,b.tif")", R"("field ""3"", left")", R"(5" tube)",
+        R"( "a" )", R"("ends with \")"}) {
+    const auto file = folder.write("t.csv", "Label,Area,Perim.\n" + label + ",400,80\n");
+    EXPECT_DOUBLE_EQ(read_particle_tables({file}, 1.0).particles.at(0).area_um2, 400) << label;
+    EXPECT_EQ(read_csv(file).rows[0].cells.size(), 3U);
+  }
+  const auto cell = [&](const std::string& text) {
+    return read_csv(folder.write("t.csv", "a,b\n" + text + ",1\n")).rows[0].cells[0];
+  };
+  EXPECT_EQ(cell(R"(C:\new\"x")"), R"(C:\new\"x")");
+  EXPECT_EQ(cell(R"("a ""b"", c\")"), R"(a "b", c\)");
+  expect_refusal([&] { cell("\"open"); }, {"line 2", "close the quotes"});
+  expect_refusal([&] { cell("\"a\"b"); }, {"line 2", "double the quotes"});
+}
+
 TEST(ParticleTable, PerimeterComesFromCircularityWhenItIsMissing) {
   const TestFolder folder;
   const ParticleSet set =
@@ -87,6 +108,33 @@ TEST(ParticleTable, PatternsAreExpandedAndEachFileIsReadOnce) {
   EXPECT_EQ(set.particles.back().file, 2U);
   expect_refusal([&] { expand_patterns({base + "/none_*.csv"}); },
                  {"files of grains", "none_*.csv"});
+}
+
+/// ImageJ's Summarize writes its words into the nameless first column or, in newer versions, into Label.
+TEST(ParticleTable, RowsOfSummarizeAreNoGrains) {
+  const TestFolder folder;
+  const auto read = [&](const std::string& text) {
+    return read_particle_tables({folder.write("t.csv", text)}, 1.0);
+  };
+  for (const std::string& head :
+       {std::string(" ,Label,Area,Perim.\n"), std::string(" ,Area,Perim.\n")}) {
+    const bool label = head.find("Label") != std::string::npos;
+    const auto row = [&](const char* number, const char* name, const char* rest) {
+      return std::string(number) + (label ? std::string(",") + name : "") + rest;
+    };
+    for (const bool in_label : {false, label}) {
+      std::string text =
+          head + row("1", "mean.tif", ",400,80\n") + row("2", "mean.tif", ",100,40\n");
+      for (const char* word : {"Mean", "SD", "Min", "Max"})
+        text += in_label ? row("3", word, ",250,60\n") : row(word, "", ",-,60\n");
+      const ParticleSet set = read(text);
+      ASSERT_EQ(set.particles.size(), 2U) << text;
+      EXPECT_DOUBLE_EQ(set.particles[1].area_um2, 100);
+      ASSERT_EQ(set.notes.size(), 1U);
+      EXPECT_NE(set.notes[0].find("4 rows"), std::string::npos) << set.notes[0];
+    }
+  }
+  expect_refusal([&] { read("Label,Area,Perim.\nMean,400,80\n"); }, {"no grains"});
 }
 
 TEST(ParticleTable, RefusesWhatItCannotUse) {

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <opencv2/imgcodecs.hpp>
 
+#include "analysis/csv_table.h"
 #include "analysis/particles/rosin_rammler.h"
 #include "tests/analysis/command_line.h"
 #include "tests/psd/drawn_spheres.h"
@@ -79,6 +80,18 @@ TEST(PsdCommand, PictureWithScaleBarColourOr16Bit) {
   constexpr double kEightBits = 1e-3;  // grey in steps of 1/255
   EXPECT_NEAR(medians[1] / medians[0], 1, kEightBits);
   EXPECT_NEAR(medians[2] / medians[0], 1, kEightBits);
+}
+
+TEST(PsdCommand, ReadsItsOwnTableWhateverTheFilesAreCalled) {
+  const TestFolder folder;
+  const std::string odd = "a,\\\"b\".csv";
+  folder.write(odd, table({60, 3}, 50));
+  const std::string base = folder.path().string();
+  ASSERT_EQ(powderlink("psd '" + base + "/" + odd + "' --pixel-size-um 0.5 --no-figures --out " +
+                       base + "/out")
+                .status,
+            0);
+  EXPECT_EQ(read_csv(base + "/out/particles.csv").rows.at(0).cells.at(0), base + "/" + odd);
 }
 
 TEST(PsdCommand, SpecksAreFlaggedAndDropped) {
