@@ -7,7 +7,7 @@ cd "$(dirname "$0")"
 momentum=$PWD/momentum.awk
 foam_case_options "$@"
 end_s=4e-3
-if [[ $short == yes ]]; then end_s=2e-3; fi
+if [[ $short == yes ]]; then end_s=1e-3; fi
 
 # In water the spheres take half their volume of it along: added mass, 1/16 of their own.
 for fluid in argon water; do
