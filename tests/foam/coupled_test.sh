@@ -410,7 +410,21 @@ DICT
     control writeInterval 4e-4
     control adjustTimeStep yes
     refused "adjusted step without couplingTime" "couplingTime"
+    # Steps of unknown length have no known step at an exchange.
+    sed -i -E 's/^couplingInterval.*/couplingTime 2e-5;/' constant/couplingProperties
+    control writeControl timeStep
+    control writeInterval 20
+    refused "writing by steps that are adjusted" "writeControl" "timeStep, with adjustTimeStep yes"
+    again
     control adjustTimeStep no
+    control writeControl clockTime
+    refused "writing by the wall clock" "entry writeControl" "given:   clockTime"
+    control writeControl adjustableRunTime
+    control writeInterval 4e-4
+    # The older pair would be gone before the newer one is whole.
+    again; echo 'purgeWrite 1;' >>system/controlDict
+    refused "purge to one" "entry purgeWrite" "given:   1" "at least 2"
+    sed -i '/^purgeWrite/d' system/controlDict
     again; sed -i '/^model/a couplingTime 2e-5;' constant/couplingProperties
     refused "couplingTime beside couplingInterval" "couplingTime"
     again; sed -i '/^rho/d' constant/transportProperties
