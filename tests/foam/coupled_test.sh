@@ -283,6 +283,20 @@ FIELDS
       unset limit_blocks
     done
     ;;
+  post_process)
+    # Function objects on a run of before, which has nobody to couple with, over either transport.
+    new_case run
+    run
+    for transport in mpi socket; do
+      change transport $transport
+      timeout 20 "$bin/powderFoam" -postProcess -func 'mag(U)' >log.post 2>&1 ||
+        failed "$transport: status $? of -postProcess"
+      [[ -s 0.0004/mag\(U\) && -s 0/mag\(U\) ]] || { failed "$transport: no mag(U)"; tail -n 20 log.post >&2; }
+      ! grep -qi warning log.post || failed "$transport: warnings of -postProcess"
+      [[ ! -e bridge.address ]] || failed "$transport: an address was published"
+      rm -f {0,0.0004}/mag\(U\)
+    done
+    ;;
   schedules)
     # Both are of first order in the interval D: the distance from a run with short intervals halves with
     # it. Concurrent lags in all, staggered in all but the fluid's velocity that the particles see.
