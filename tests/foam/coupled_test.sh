@@ -297,6 +297,18 @@ FIELDS
       rm -f {0,0.0004}/mag\(U\)
     done
     ;;
+  slow_start)
+    # The first thing that powderFoam does, with one rank too, is to meet the other program, whose wait for
+    # that is short: here the settings of the case come only after that one has met it.
+    new_case serial
+    cp system/caseSettings settings
+    rm system/caseSettings
+    mkfifo dem.start system/caseSettings
+    { printf '0 1\n3 3e-5 1e-3 1e-3 1e-3 0 0 0 0 0 0\n' >dem.start && cat settings >system/caseSettings; } &
+    feeder=$!
+    run state=dem.start exchanges=2
+    kill $feeder 2>/dev/null || true
+    ;;
   schedules)
     # Both are of first order in the interval D: the distance from a run with short intervals halves with
     # it. Concurrent lags in all, staggered in all but the fluid's velocity that the particles see.
