@@ -68,7 +68,12 @@ rm -rf "$out"
 case $test in
   one_rank) run --end-time 0.003 ;;
   two_ranks) run --end-time 0.002 --ranks 2 --dem-ranks 2 ;;
-  socket) run --end-time 0.002 --transport socket ;;
+  socket)
+    options=(--end-time 0.002)
+    run "${options[@]}"
+    run "${options[@]}" --transport socket --out "$out/socket"
+    same_run "$out/socket"
+    ;;
   jkr) run --end-time 0.002 --contact jkr ;;
   continued | continued_ranks)
     # Stopped at a write time, or after it, so that what was done since is lost.
