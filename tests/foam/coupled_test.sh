@@ -262,6 +262,12 @@ FIELDS
     done
     ;;
   full_disk)
+    # Files that cannot be looked at.
+    new_case collated
+    code=0
+    FOAM_FILEHANDLER=collated mpi 1 2 || code=$?
+    [[ $code != 0 && $code != 124 ]] || failed "collated files: status $code"
+    error_text "collated files" "file handler of a coupled run" "given:   collated" "uncollated"
     # Of both kinds: a file that breaks off in the middle, and one that lacks its last bytes only, which
     # OpenFOAM does not notice. Both programs stop, and the DEM is not told to make its part of a pair.
     new_case enough

@@ -3,6 +3,7 @@
 #include "bridgeSettings.H"
 #include "bridgeLink.H"
 #include "dictionaryChecks.H"
+#include "writtenFiles.H"
 #include "uniformDimensionedFields.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -93,6 +94,8 @@ const Foam::dictionary& Foam::bridgeSettings::checkedEntries
 
 void Foam::bridgeSettings::check() const
 {
+    writtenFiles::refuseCollated();
+
     if (!(minFluidFraction > 0 && minFluidFraction < 1))
     {
         dictionaryChecks::badValue
