@@ -59,6 +59,10 @@ struct SolverWord {
   bool checkpoint_next = false;
 };
 
+/// For a program that is about to end without its links' knowledge: fail() on every link that is open,
+/// on any rank. Over MPI one rank is enough to be heard; over a socket it must be the first.
+void say_last_words(const std::string& why) noexcept;
+
 class DemLink {
  public:
   /// \param local  ranks of this program

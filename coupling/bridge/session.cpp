@@ -266,7 +266,10 @@ const FrameView& Session::receive_any(const Deadline& deadline) {
     fail(e.what());
     throw;
   }
-  if (view_.kind == MessageKind::error) throw_peer_error(view_);
+  if (view_.kind == MessageKind::error) {
+    peer_failed_ = true;
+    throw_peer_error(view_);
+  }
   return view_;
 }
 
@@ -346,18 +349,18 @@ void Session::finish() {
 void Session::fail(const std::string& why) noexcept {
   if (!open_) return;
   open_ = false;
+  if (peer_failed_) {  // it waits for nothing but this
+    transport_->close();
+    return;
+  }
   try {
     constexpr double patience_s = 0.5;
     encode_text(outgoing_, MessageKind::error, why);
     transport_->send(outgoing_, Deadline(patience_s));
+    transport_->close_after_error();
   } catch (const std::exception&) {  // the other side is gone: nobody is left to be told
+    transport_->close();
   }
-  transport_->close();
-}
-
-void Session::abort(const std::string& why) noexcept {
-  open_ = false;
-  transport_->abort(why);
 }
 
 }  // namespace powderlink::bridge

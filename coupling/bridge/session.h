@@ -70,10 +70,9 @@ class Session {
 
   /// Both sides call it after the last exchange: waits until the other one is done, too.
   void finish();
-  /// Tells the other side why this one stops, and closes. Call it before leaving on an error.
+  /// Tells the other side why this one stops, and closes. Call it before leaving on an error. Returns
+  /// when the other side has had the time to say so, within 1.5 s.
   void fail(const std::string& why) noexcept;
-  /// Transport::abort.
-  void abort(const std::string& why) noexcept;
 
  private:
   [[noreturn]] void throw_peer_error(const FrameView& frame) const;
@@ -87,6 +86,7 @@ class Session {
   double timeout_s_;
   bool open_ = true;
   bool peer_finished_ = false;
+  bool peer_failed_ = false;
   Bytes outgoing_;
   Bytes incoming_;
   FrameView view_;

@@ -240,15 +240,6 @@ class SocketTransport : public Transport {
     doorman_.reset();
     stream_.close();
   }
-  void abort(const std::string& why) noexcept override {
-    try {
-      Bytes frame;
-      encode_text(frame, MessageKind::error, why);
-      stream_.send(frame, Deadline(0.5));
-    } catch (const std::exception&) {  // the other side is gone already
-    }
-    close();
-  }
 
  private:
   std::unique_ptr<asio::io_context> io_;

@@ -94,6 +94,16 @@ TEST(Link, AnErrorOfOneRankIsKnownToAllOfItsProgram) {
   EXPECT_TRUE(run.says("dem 0: told") && run.says("dem 1: told")) << run.output;
 }
 
+TEST(Link, AProgramThatEndsByItselfSaysWhyOnBothSidesWithinFiveSeconds) {
+  for (const auto& [route, task, ranks] :
+       {std::tuple("mpi", "dem_dies", 2), {"mpi", "dem_rank_dies", 2}, {"socket", "dem_dies", 1}}) {
+    const Outcome run = job(ranks, 2, route, task);
+    EXPECT_NE(run.status, 0) << route << task;
+    EXPECT_LT(run.wall_s, 5.0) << route << task << run.output;
+    EXPECT_TRUE(run.says("solver 0: told")) << route << task << run.output;
+  }
+}
+
 TEST(Link, AProgramAloneIsToldHowToCouple) {
   for (const char* launcher : {"serial", "mpirun"}) {
     const std::string line = LINK_PROGRAM " dem go mpi";

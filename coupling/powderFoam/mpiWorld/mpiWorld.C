@@ -5,6 +5,8 @@
 #include "OSspecific.H"
 #include "Pstream.H"
 
+#include "coupling/bridge/coupling_link.h"
+
 #include <mpi.h>
 
 #include <cstdio>
@@ -154,6 +156,7 @@ int MPI_Init_thread(int* argc, char*** argv, int required, int* provided)
 int MPI_Abort(MPI_Comm, int code)
 {
     std::fflush(nullptr);
+    bridge::say_last_words("powderFoam ended by an error; see its log");
     std::_Exit(code == 0 ? 1 : code);
 }
 
