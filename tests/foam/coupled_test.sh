@@ -107,10 +107,10 @@ error_text() {  # what, texts
     grep -qF -- "$text" log || failed "$what: the message lacks '$text'"
   done
 }
-refused() {  # what, texts that the message must hold
+refused() {  # what, texts that the message must hold; words for the DEM in dem_words
   local what=$1 code=0
   shift
-  limit_s=30 mpi 1 1 grid=2 || code=$?
+  limit_s=30 mpi 1 1 grid=2 ${dem_words:-} || code=$?
   [[ $code != 0 && $code != 124 ]] || failed "$what: exit status $code"
   error_text "$what" "$@"
   solver_is_silent || failed "$what: fields were written"
@@ -465,6 +465,21 @@ DICT
     again; sed -i '/^rho/d' constant/transportProperties
     refused "no density" "rho"
     cp "$root/foam_cases/closed_box/constant/transportProperties" constant
+    again; change forces "(schiller_naumann buoyancy)"
+    refused "buoyancy without gravity" "entry forces" "given:   buoyancy, and no gravity" "constant/g"
+    again; sed -i 's/length 5e-4/length 0.1/' constant/couplingProperties
+    refused "smoothing beyond the mesh" "entry length" "on this mesh, because of its smallest cells"
+    # What shows at an exchange: the program of the particles says why it stops, too.
+    again; change momentumExchange explicit
+    sed -i -E 's/^(nu +).*/\11;/' constant/transportProperties
+    refused "drag that is too strong for explicit" "its error: bad value of entry momentumExchange" \
+      "given:   explicit, where the drag changes" "set momentumExchange semiImplicit"
+    cp "$root/foam_cases/closed_box/constant/transportProperties" constant
+    again; sed -i -E 's/type smooth; length 5e-4/type centre/' constant/couplingProperties
+    dem_words=radius=3e-4 refused "particles as large as cells" "its error: void fraction model centre cannot serve this mesh" \
+      "minFluidFraction = 0.2"
+    again
+    dem_words=skip=3 refused "clocks" "its error: the clocks of the two programs go apart" "a constant difference"
     # One mpirun, and a powderFoam that does not couple over it.
     again; change transport socket
     refused "socket in one mpirun" "transport socket, which is for two jobs"

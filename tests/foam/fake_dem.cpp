@@ -5,7 +5,7 @@
 // Prints the impulse that the solver took and, at the end, writes its state (text, by id) to FILE.
 //   transport=mpi|socket folder=. case=NAME dt=STEP every=N side=LENGTH low=LENGTH grid=N radius=R
 //   exchanges=MAX fixed=0|1 state=FILE (begin with it) out=FILE die_at=N (exit without a word)
-//   first_step=N (of its clock)
+//   first_step=N (of its clock) skip=N (steps that its clock is ahead after each exchange)
 #include <mpi.h>
 
 #include <unistd.h>
@@ -185,7 +185,7 @@ int run(const Options& options, const bridge::MpiWorld& world) {
     for (int i = 0; i < every; ++i) {
       advance(p, w, dt, options.at("fixed") == "1", number(options, "side"));
     }
-    step += every;
+    step += every + std::stoi(options.at("skip"));
   }
   dem.finish();
   if (world.rank == 0) {
@@ -203,7 +203,8 @@ int main(int argc, char** argv) {
   powderlink::test::Options options{{"transport", "mpi"},   {"folder", "."}, {"case", "closed_box"},
                                     {"dt", "2e-6"},         {"every", "10"}, {"side", "4e-3"},
                                     {"low", "0"},           {"grid", "6"},   {"radius", "3e-5"},
-                                    {"exchanges", "10000"}, {"fixed", "0"},  {"out", "dem.state"}};
+                                    {"exchanges", "10000"}, {"fixed", "0"},  {"out", "dem.state"},
+                                    {"skip", "0"}};
   int status = 0;
   try {
     for (int i = 1; i < argc; ++i) {
