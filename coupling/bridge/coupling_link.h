@@ -31,7 +31,7 @@ namespace powderlink::bridge {
 struct LinkOptions {
   enum class Route { mpi, socket };
   Route route = Route::mpi;
-  MpiWorld world;        ///< of split_world(); for Route::mpi
+  MpiWorld world;        ///< of split_world_if_shared(); for Route::mpi
   SocketOptions socket;  ///< for Route::socket
   bool listens = false;  ///< socket: this side waits, the other one connects
   double timeout_s = 120.0;

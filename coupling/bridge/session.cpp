@@ -288,22 +288,6 @@ void Session::send_checked(Bytes& frame) {
   }
 }
 
-void Session::send(std::int64_t step, double time_s,
-                   const std::vector<std::pair<std::string, ColumnView>>& columns) {
-  FrameWriter writer(outgoing_);
-  writer.begin(MessageKind::fields, step, time_s);
-  for (const auto& [name, column] : columns) {
-    const FieldSpec* spec = find(mine_.offers, name);
-    if (!spec) {
-      throw BridgeError(Kind::bad_input, "sending field " + name, "not offered in the handshake",
-                        list_of(mine_.offers), "add it to what " + mine_.role + " offers");
-    }
-    writer.add(*spec, column);
-  }
-  writer.finish();
-  send_checked(outgoing_);
-}
-
 void Session::send_frame(Bytes& frame) { send_checked(frame); }
 
 const FrameView& Session::receive_frame() {
@@ -315,21 +299,6 @@ const FrameView& Session::receive_frame() {
   if (frame.kind != MessageKind::fields) {
     throw BridgeError(Kind::bad_frame, "message from " + peer_name(), "not fields", "fields",
                       "build both programs from the same release of powderlink");
-  }
-  return frame;
-}
-
-const FrameView& Session::receive() {
-  const FrameView& frame = receive_frame();
-  for (const FieldSlice& field : frame.fields) {
-    const FieldSpec* need = find(mine_.needs, field.name);
-    if (!need || !field.is(*need)) {
-      const BridgeError error =
-          no_fit("field " + std::string(field.name), describe(field.spec()), list_of(mine_.needs),
-                 "send only what the handshake agreed on");
-      fail(error.what());
-      throw error;
-    }
   }
   return frame;
 }

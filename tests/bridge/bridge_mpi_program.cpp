@@ -326,7 +326,7 @@ int run(const std::string& role, const std::string& task, const std::string& fol
     std::this_thread::sleep_for(std::chrono::milliseconds(2000));
     return 1;
   }
-  const MpiWorld world = bridge::split_world(role, 1.0 + timeout_s * (task != "present"));
+  const MpiWorld world = bridge::split_world_if_shared(role, 1.0 + timeout_s * (task != "present"));
   if (task == "conformance") return conformance(world);
   if (task == "exchange") return exchange(world, folder);
   if (task == "steady") return steady(world);

@@ -95,12 +95,11 @@ TEST(Link, AnErrorOfOneRankIsKnownToAllOfItsProgram) {
 }
 
 TEST(Link, AProgramThatEndsByItselfSaysWhyOnBothSidesWithinFiveSeconds) {
-  for (const auto& [route, task, ranks] :
-       {std::tuple("mpi", "dem_dies", 2), {"mpi", "dem_rank_dies", 2}, {"socket", "dem_dies", 1}}) {
-    const Outcome run = job(ranks, 2, route, task);
-    EXPECT_NE(run.status, 0) << route << task;
-    EXPECT_LT(run.wall_s, 5.0) << route << task << run.output;
-    EXPECT_TRUE(run.says("solver 0: told")) << route << task << run.output;
+  for (const char* task : {"dem_dies", "dem_rank_dies"}) {
+    const Outcome run = job(2, 2, "mpi", task);
+    EXPECT_NE(run.status, 0) << task;
+    EXPECT_LT(run.wall_s, 5.0) << task << run.output;
+    EXPECT_TRUE(run.says("solver 0: told")) << task << run.output;
   }
 }
 
