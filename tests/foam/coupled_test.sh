@@ -413,6 +413,7 @@ DICT
     # 21 exchanges from 0 on, of which the last is answered by the end.
     [[ $(grep -c '^momentum ' log) == 20 ]] || failed "exchanges: $(grep -c '^momentum ' log) instead of 20"
     [[ -f 0.0004/U ]] || failed "no fields at the end time"
+    grep -q '^Coupling: model B, every 2e-05 s, ' log || failed "the log does not have couplingTime"
     steps=$(grep -c '^Time = ' log)
     [[ $steps -gt 40 && $steps -lt 100 ]] || failed "$steps steps"
     ;;
