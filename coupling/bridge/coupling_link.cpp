@@ -179,7 +179,7 @@ class Line {
     if (session_) session_->fail(why);
   }
 
-  /// fail() of a rank on its own.
+  /// fail() of a rank that may be the only one to know.
   void cry(const std::string& why) noexcept {
     if (!open_) return;
     if (session_ || !over_mpi()) {
@@ -379,7 +379,7 @@ void DemLink::finish() {
   line.say_goodbye();
 }
 
-void DemLink::fail(const std::string& why) noexcept { parts_->line.fail(why); }
+void DemLink::fail(const std::string& why) noexcept { parts_->line.cry(why); }
 
 struct SolverLink::Parts {
   Parts(MPI_Comm local, const LinkOptions& options, Hello hello)
@@ -448,6 +448,6 @@ void SolverLink::finish() {
   if (parts_->owes_values || receive_particles()) send_values({Command::stop, false}, {});
 }
 
-void SolverLink::fail(const std::string& why) noexcept { parts_->line.fail(why); }
+void SolverLink::fail(const std::string& why) noexcept { parts_->line.cry(why); }
 
 }  // namespace powderlink::bridge

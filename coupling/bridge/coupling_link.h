@@ -59,8 +59,7 @@ struct SolverWord {
   bool checkpoint_next = false;
 };
 
-/// For a program that is about to end without its links' knowledge: fail() on every link that is open,
-/// on any rank. Over MPI one rank is enough to be heard; over a socket it must be the first.
+/// For a program that is about to end without its links' knowledge: fail() of every link that is open.
 void say_last_words(const std::string& why) noexcept;
 
 class DemLink {
@@ -83,8 +82,8 @@ class DemLink {
   SolverWord receive_values(const std::vector<MutableColumnView>& columns);
   /// The orderly end, at any time; nothing happens when the link is closed already.
   void finish();
-  /// Tells the solver why this side ends and closes the link; waits for nobody. Rank 0 speaks, other
-  /// ranks may call it, too.
+  /// Tells the solver why this side ends and closes the link; returns within 1.5 s. All ranks may call
+  /// it, or one: over MPI any is heard, over a socket the first.
   void fail(const std::string& why) noexcept;
 
  private:

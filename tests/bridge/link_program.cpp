@@ -149,6 +149,12 @@ int solver(const Task& task) {
   for (int round = 0; link.receive_particles(); ++round) {
     const bridge::ParticleTable& table = link.particles();
     require(table.step == round && table.time_s == round * interval_s, "step");
+    if (task.is("solver_rank_fails") && round == 2) {
+      // An error that the other ranks do not know of, until the job ends.
+      if (task.link.world.rank == 0) std::this_thread::sleep_for(std::chrono::seconds(30));
+      link.fail("solver: diverged; given: a; allowed: b; to do: c");
+      std::_Exit(3);
+    }
     if (task.is("solver_fails") && round == 2) {
       link.fail("solver: diverged; given: a; allowed: b; to do: c");
       say(task, "failed");
@@ -200,6 +206,10 @@ int dispatch(const Task& task) {
   if (task.is("solver_fails") && task.is_dem()) return expect(task, Kind::peer_failed, "diverged");
   if ((task.is("dem_dies") || task.is("dem_rank_dies")) && !task.is_dem()) {
     expect(task, Kind::peer_failed, "its error: dem: lost atoms");
+    std::_Exit(4);
+  }
+  if (task.is("solver_rank_fails") && task.is_dem()) {
+    expect(task, Kind::peer_failed, "its error: solver: diverged");
     std::_Exit(4);
   }
   if (task.is("dem_leaves") && !task.is_dem()) {

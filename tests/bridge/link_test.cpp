@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 #include <tuple>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -95,11 +96,13 @@ TEST(Link, AnErrorOfOneRankIsKnownToAllOfItsProgram) {
 }
 
 TEST(Link, AProgramThatEndsByItselfSaysWhyOnBothSidesWithinFiveSeconds) {
-  for (const char* task : {"dem_dies", "dem_rank_dies"}) {
+  for (const auto& [task, told] : {std::pair("dem_dies", "solver 0: told"),
+                                   {"dem_rank_dies", "solver 0: told"},
+                                   {"solver_rank_fails", "dem 0: told"}}) {
     const Outcome run = job(2, 2, "mpi", task);
     EXPECT_NE(run.status, 0) << task;
     EXPECT_LT(run.wall_s, 5.0) << task << run.output;
-    EXPECT_TRUE(run.says("solver 0: told")) << task << run.output;
+    EXPECT_TRUE(run.says(told)) << task << run.output;
   }
 }
 
