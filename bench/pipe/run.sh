@@ -125,7 +125,7 @@ stock() {  # name, program, steps, pressure solver: ours or tutorial
   local wall
   wall=$(awk -v dt="$stock_dt_s" '$2 == "End" || $2 == "Time" { t[++n] = $1 }
     END { printf "%.1f", (t[n] - t[3])/(n - 3)*1e-3/dt }' log.solver)
-  row "$1, $4" "$stock_ranks" "$wall" "$(awk "BEGIN { printf \"%.0f\", $wall/$own_s }")" \
+  row "$1, $4" "$stock_ranks" "$wall" "$(awk "BEGIN { r = $wall/$own_s; printf r < 30 ? \"%.1f\" : \"%.0f\", r }")" \
     "$(cpu_s_per_ms log.solver "$(awk "BEGIN { print 2*$stock_dt_s }")" 1)" \
     "$(memory memory "$(basename "$2")")" -
 }

@@ -13,9 +13,12 @@ inline const FieldSpec id{"id", "1", scalar, ElementType::int64};
 inline const FieldSpec position{"position", "m", vector3};
 inline const FieldSpec velocity{"velocity", "m/s", vector3};
 inline const FieldSpec spin{"spin", "rad/s", vector3};
+/// 0: the particle has vanished since the last exchange. Its row brings the rest of its impulse, with
+/// its place of the last exchange; the values that come back for it mean nothing.
 inline const FieldSpec radius{"radius", "m", scalar};
 inline const FieldSpec density{"density", "kg/m3", scalar};
-/// Impulse of the reacting forces on the particle since the last exchange.
+/// Impulse of the reacting forces on the particle since the last exchange, less what its added mass
+/// has gained, by whatever force.
 inline const FieldSpec reaction_impulse{"reaction_impulse", "N s", vector3};
 
 // values at the particles, to the DEM

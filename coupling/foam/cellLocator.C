@@ -306,6 +306,16 @@ Foam::label Foam::cellLocator::claim(const point& position) const
 }
 
 
+Foam::label Foam::cellLocator::nearest(const point& position) const
+{
+    const label celli = find(position);
+    return
+        celli >= 0 || !mesh_.nCells()
+      ? celli
+      : mesh_.cellTree().findNearest(position, GREAT).index();
+}
+
+
 Foam::scalar Foam::cellLocator::depth
 (
     const point& position,

@@ -108,7 +108,7 @@ void Foam::dividedVoidFraction::setWeights
             else
             {
                 awayParticles.append(i);
-                awayPositions.append(position);
+                awayPositions.append(images_.inside(position));
             }
         }
     }
@@ -210,6 +210,7 @@ Foam::dividedVoidFraction::dividedVoidFraction
     voidFraction(locator),
     unitPoints_(unitPoints()),
     starts_(1, Zero),
+    images_(locator.mesh()),
     away_(locator)
 {
     dictionaryChecks::checkEntries(dict, {"type"}, {});

@@ -169,11 +169,12 @@ void Foam::fluidForces::readLaws(const dictionary& dict)
         hasAddedMass_ |= entry.info->kind == forces::ForceKind::inertia;
     }
 
-    if (properties_.modelA && !needsPressureGradient_)
+    if (properties_.modelA && !(needsPressureGradient_ && needsViscousStress_))
     {
-        Info<< "Warning: model A shares the pressure gradient with the"
-            << " particles, but pressure_gradient is not among the forces:"
-            << " their share acts on nothing" << endl;
+        Info<< "Warning: model A shares pressure gradient and viscous stress"
+            << " with the particles, but not both pressure_gradient and"
+            << " viscous_stress are among the forces: what is missing acts on"
+            << " nothing" << endl;
     }
     if (!properties_.modelA && (needsPressureGradient_ || needsViscousStress_))
     {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "particleOwnership.H"
+#include "bitSet.H"
 #include "int64.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -129,8 +130,13 @@ Foam::particleOwnership::particleOwnership(const cellLocator& locator)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::particleOwnership::update(const UList<point>& positions)
+void Foam::particleOwnership::update
+(
+    const UList<point>& positions,
+    const labelUList& passed
+)
 {
+    passed_ = passed;
     nReceived_ = positions.size();
     nMovedGlobal_ = 0;
     nOutsideGlobal_ = 0;
@@ -149,11 +155,17 @@ void Foam::particleOwnership::update(const UList<point>& positions)
     }
     orderByCell(rows);
 
+    bitSet isPassed(nReceived_);
+    isPassed.set(passed_);
     DynamicList<label> stay(nReceived_);
     DynamicList<label> cells(nReceived_);
     DynamicList<label> leftover;
     for (const label row : rows)
     {
+        if (isPassed.test(row))
+        {
+            continue;
+        }
         if (lastCells_[row] >= 0)
         {
             stay.append(row);

@@ -103,9 +103,12 @@ void Foam::particleOwnership::toReceiver
     {
         received[stay_[i]] = owned[i];
     }
-    for (const label row : outside_)
+    for (const labelList* ownerless : {&outside_, &passed_})
     {
-        received[row] = outside;
+        for (const label row : *ownerless)
+        {
+            received[row] = outside;
+        }
     }
     if (nMovedGlobal_ == 0)
     {

@@ -3,11 +3,6 @@
 #include "smoothVoidFraction.H"
 #include "dictionaryChecks.H"
 #include "addToRunTimeSelectionTable.H"
-#include "cyclicPolyPatch.H"
-#include "processorPolyPatch.H"
-#include "surfaceFields.H"
-#include "UIPstream.H"
-#include "UOPstream.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -15,9 +10,6 @@ namespace Foam
 {
     defineTypeNameAndDebug(smoothVoidFraction, 0);
     addToRunTimeSelectionTable(voidFraction, smoothVoidFraction, dictionary);
-
-    // What may leave a cell in one sweep
-    static const scalar maxLeaving = 2.0/3.0;
 
     // A length of about 40 cells: beyond, the mesh is not meant for it
     static const label maxSweeps = 2000;
@@ -48,261 +40,6 @@ Foam::scalar Foam::smoothVoidFraction::readLength(const dictionary& dict)
 }
 
 
-void Foam::smoothVoidFraction::addCoupling
-(
-    const fvPatch& patch,
-    const surfaceScalarField& conductance
-)
-{
-    const scalarField& mine = conductance.boundaryField()[patch.index()];
-
-    if (isA<processorPolyPatch>(patch.patch()))
-    {
-        const auto& pp = refCast<const processorPolyPatch>(patch.patch());
-        couplings_.append
-        (
-            coupling
-            {
-                patch.faceCells(),
-                mine,
-                labelList(),
-                pp.neighbProcNo(),
-                pp.tag()
-            }
-        );
-    }
-    else if (isA<cyclicPolyPatch>(patch.patch()))
-    {
-        const auto& pp = refCast<const cyclicPolyPatch>(patch.patch());
-        if (pp.parallel())
-        {
-            // Areas of the two sides agree to the mesh's tolerance only: the
-            // mean of both, so that the sum is kept to round-off
-            const scalarField mean
-            (
-                0.5*(mine + conductance.boundaryField()[pp.neighbPatchID()])
-            );
-            couplings_.append
-            (
-                coupling
-                {
-                    patch.faceCells(),
-                    mean,
-                    labelList(pp.neighbPatch().faceCells()),
-                    Pstream::myProcNo(),
-                    0
-                }
-            );
-        }
-    }
-}
-
-
-void Foam::smoothVoidFraction::setRows(const scalarField& conductance)
-{
-    const labelUList& owner = mesh_.owner();
-    const labelUList& neighbour = mesh_.neighbour();
-
-    starts_ = labelList(mesh_.nCells() + 1, Zero);
-    forAll(neighbour, facei)
-    {
-        ++starts_[owner[facei] + 1];
-        ++starts_[neighbour[facei] + 1];
-    }
-    for (label celli = 0; celli < mesh_.nCells(); ++celli)
-    {
-        starts_[celli + 1] += starts_[celli];
-    }
-
-    neighbours_.setSize(starts_.last());
-    coefficients_.setSize(starts_.last());
-    labelList next(starts_);
-    blockSize_ = 1;
-    forAll(neighbour, facei)
-    {
-        blockSize_ = max(blockSize_, neighbour[facei] - owner[facei]);
-        const label own = next[owner[facei]]++;
-        const label other = next[neighbour[facei]]++;
-        neighbours_[own] = neighbour[facei];
-        neighbours_[other] = owner[facei];
-        coefficients_[own] = conductance[facei];
-        coefficients_[other] = conductance[facei];
-    }
-}
-
-
-template<int N>
-void Foam::smoothVoidFraction::sweepRows
-(
-    const label first,
-    const label end,
-    const scalar* const __restrict__ density,
-    scalar* const __restrict__ result
-) const
-{
-    // Rows and not faces: every cell is written once, in order
-    const label* const start = starts_.cdata();
-    const label* const neighbour = neighbours_.cdata();
-    const scalar* const coefficient = coefficients_.cdata();
-    for (label celli = first; celli < end; ++celli)
-    {
-        scalar own[N];
-        scalar gain[N];
-        for (label k = 0; k < N; ++k)
-        {
-            own[k] = density[celli*N + k];
-            gain[k] = 0;
-        }
-        for (label i = start[celli]; i < start[celli + 1]; ++i)
-        {
-            const scalar* const other = density + neighbour[i]*N;
-            for (label k = 0; k < N; ++k)
-            {
-                gain[k] += coefficient[i]*(other[k] - own[k]);
-            }
-        }
-        for (label k = 0; k < N; ++k)
-        {
-            result[celli*N + k] = own[k] + rV_[celli]*gain[k];
-        }
-    }
-}
-
-
-template<int N>
-void Foam::smoothVoidFraction::sweepBlocks
-(
-    scalar* const even,
-    scalar* const odd
-) const
-{
-    const label nBlocks = (rV_.size() + blockSize_ - 1)/blockSize_;
-    for (label lead = 0; lead < nBlocks + nSweeps_ - 1; ++lead)
-    {
-        for (label i = max(label(0), lead - nBlocks + 1); i < nSweeps_; ++i)
-        {
-            const label first = (lead - i)*blockSize_;
-            if (first < 0)
-            {
-                break;
-            }
-            sweepRows<N>
-            (
-                first,
-                min(first + blockSize_, rV_.size()),
-                i % 2 ? odd : even,
-                i % 2 ? even : odd
-            );
-        }
-    }
-}
-
-
-template<int N>
-void Foam::smoothVoidFraction::sweep
-(
-    const UList<scalar>& old,
-    UList<scalar>& densities
-) const
-{
-    const scalar* const density = old.cdata();
-    scalar* const result = densities.data();
-
-    // Own side of the faces that are shared with other ranks
-    const label startOfRequests = Pstream::nRequests();
-    List<scalarList> sent(couplings_.size());
-    List<scalarList> received(couplings_.size());
-    forAll(couplings_, i)
-    {
-        const coupling& c = couplings_[i];
-        if (c.rank == Pstream::myProcNo())
-        {
-            continue;
-        }
-        received[i].setSize(N*c.cells.size());
-        UIPstream::read
-        (
-            Pstream::commsTypes::nonBlocking,
-            c.rank,
-            reinterpret_cast<char*>(received[i].data()),
-            received[i].byteSize(),
-            c.tag
-        );
-    }
-    forAll(couplings_, i)
-    {
-        const coupling& c = couplings_[i];
-        if (c.rank == Pstream::myProcNo())
-        {
-            continue;
-        }
-        sent[i].setSize(N*c.cells.size());
-        forAll(c.cells, facei)
-        {
-            for (label k = 0; k < N; ++k)
-            {
-                sent[i][facei*N + k] = density[c.cells[facei]*N + k];
-            }
-        }
-        UOPstream::write
-        (
-            Pstream::commsTypes::nonBlocking,
-            c.rank,
-            reinterpret_cast<const char*>(sent[i].cdata()),
-            sent[i].byteSize(),
-            c.tag
-        );
-    }
-
-    sweepRows<N>(0, rV_.size(), density, result);
-
-    Pstream::waitRequests(startOfRequests);
-    forAll(couplings_, i)
-    {
-        const coupling& c = couplings_[i];
-        const bool here = c.rank == Pstream::myProcNo();
-        forAll(c.cells, facei)
-        {
-            const scalar* const other =
-                here
-              ? density + c.otherCells[facei]*N
-              : received[i].cdata() + facei*N;
-            const label own = c.cells[facei]*N;
-            const scalar share = rV_[c.cells[facei]]*c.coefficients[facei];
-            for (label k = 0; k < N; ++k)
-            {
-                result[own + k] += share*(other[k] - density[own + k]);
-            }
-        }
-    }
-}
-
-
-template<int N>
-void Foam::smoothVoidFraction::sweeps(scalarField& densities) const
-{
-    scalarField other(densities.size());
-    if (couplings_.empty())
-    {
-        sweepBlocks<N>(densities.data(), other.data());
-    }
-    else
-    {
-        UList<scalar> from(densities);
-        UList<scalar> to(other);
-        for (label i = 0; i < nSweeps_; ++i)
-        {
-            sweep<N>(from, to);
-            from.swap(to);
-        }
-    }
-    if (nSweeps_ % 2)
-    {
-        densities.transfer(other);
-    }
-}
-
-
 // * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
 
 void Foam::smoothVoidFraction::spread
@@ -311,37 +48,7 @@ void Foam::smoothVoidFraction::spread
     scalarField& densities
 ) const
 {
-    // A width that is known to the compiler: the next larger one of these
-    switch (n)
-    {
-        case 1: sweeps<1>(densities); return;
-        case 4: sweeps<4>(densities); return;
-    }
-
-    constexpr label widest = 4;
-    scalarField some;
-    for (label first = 0; first < n; first += widest)
-    {
-        const label nHere = min(n - first, widest);
-        const label width = nHere == 1 ? 1 : widest;
-        some.setSize(width*rV_.size());
-        some = 0;
-        forAll(rV_, celli)
-        {
-            for (label k = 0; k < nHere; ++k)
-            {
-                some[celli*width + k] = densities[celli*n + first + k];
-            }
-        }
-        spread(width, some);
-        forAll(rV_, celli)
-        {
-            for (label k = 0; k < nHere; ++k)
-            {
-                densities[celli*n + first + k] = some[celli*width + k];
-            }
-        }
-    }
+    diffusion_.spread(n, densities);
 }
 
 
@@ -368,66 +75,26 @@ Foam::smoothVoidFraction::smoothVoidFraction
 :
     centreVoidFraction(locator),
     length_(readLength(dict)),
-    nSweeps_(0),
-    blockSize_(1),
-    rV_(1/mesh_.V().field())
+    // D t = sigma^2/2 of the Gaussian
+    diffusion_(mesh_, sqr(length_)/(16*Foam::log(scalar(2))))
 {
-    // D t of the whole spreading times area over distance [m3]
-    const scalar Dt = 0.5*sqr(length_)/(8*Foam::log(scalar(2)));
-    const surfaceScalarField conductance
-    (
-        dimensionedScalar("Dt", dimArea, Dt)
-       *mesh_.magSf()*mesh_.nonOrthDeltaCoeffs()
-    );
-    setRows(conductance.primitiveField());
-    for (const fvPatch& patch : mesh_.boundary())
-    {
-        addCoupling(patch, conductance);
-    }
-
-    // What would leave each cell at once
-    scalarField leaving(mesh_.nCells(), Zero);
-    forAll(leaving, celli)
-    {
-        for (label i = starts_[celli]; i < starts_[celli + 1]; ++i)
-        {
-            leaving[celli] += coefficients_[i];
-        }
-    }
-    for (const coupling& c : couplings_)
-    {
-        forAll(c.cells, facei)
-        {
-            leaving[c.cells[facei]] += c.coefficients[facei];
-        }
-    }
-    leaving *= rV_;
-
-    // Round-off must not make the number depend on the decomposition
-    const scalar most = gMax(leaving)*(1 - 1e-9);
-    if (most/maxLeaving > maxSweeps)
+    const scalar most = maxSweeps*meshDiffusion::maxLeaving;
+    if (diffusion_.leaving() > most)
     {
         dictionaryChecks::badValue
         (
             dict,
             "length",
             Foam::name(length_),
-            "at most " + Foam::name(length_*sqrt(maxSweeps*maxLeaving/most))
+            "at most " + Foam::name(length_*sqrt(most/diffusion_.leaving()))
           + " m on this mesh, because of its smallest cells",
             "shorten length, three particle diameters are usual, or use larger"
             " cells"
         );
     }
-    nSweeps_ = std::max(1.0, std::ceil(most/maxLeaving));
 
-    coefficients_ /= nSweeps_;
-    for (coupling& c : couplings_)
-    {
-        c.coefficients /= nSweeps_;
-    }
-
-    Info<< "    width at half maximum " << length_ << " m, " << nSweeps_
-        << " sweep(s) over the mesh" << endl;
+    Info<< "    width at half maximum " << length_ << " m, "
+        << diffusion_.nSweeps() << " sweep(s) over the mesh" << endl;
 }
 
 

@@ -16,11 +16,11 @@ Description
         ddt(alphaf) + div(alphaf U) = 0
 
         ddt(alphaf U) + div(alphaf U U)
-      - div(alphaf nuEff (grad(U) + dev2(T(grad(U)))))
+      - div(share nuEff (grad(U) + dev2(T(grad(U)))))
       = - share grad(p) + Su + Sp U + fvOptions
 
-    share is alphaf in model A (pressure gradient shared with the particles)
-    and 1 in model B (pressure gradient in the fluid only). Su and Sp come from
+    share is alphaf in model A (pressure gradient and viscous stress shared
+    with the particles) and 1 in model B (both in the fluid only). Su and Sp come from
     a particleMomentum model and, like fvOptions, are per volume of cell.
 
     The turbulence model is one of OpenFOAM's, with alphaf in its transport

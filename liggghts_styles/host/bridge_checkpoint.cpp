@@ -8,8 +8,9 @@ namespace powderlink::host {
 
 namespace {
 
-constexpr double kFormat = 1.0;
-constexpr std::size_t kHead = 4;
+constexpr double kFormat = 2.0;
+constexpr std::size_t kHead = 5;
+constexpr std::size_t kNumbers = LeavingParticles::kDoubles;
 
 }  // namespace
 
@@ -22,7 +23,8 @@ void BridgeCheckpoint::write(std::FILE* file, MPI_Comm world) const {
   const int count = static_cast<int>(mine.size());
   std::vector<int> counts(static_cast<std::size_t>(ranks)), starts(counts.size());
   MPI_Gather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, 0, world);
-  int size = static_cast<int>(kHead);
+  const std::size_t head = kHead + kNumbers * gone.size();
+  int size = static_cast<int>(head);
   for (std::size_t r = 0; r < counts.size(); ++r) {
     starts[r] = size;
     size += counts[r];
@@ -35,6 +37,8 @@ void BridgeCheckpoint::write(std::FILE* file, MPI_Comm world) const {
   all[1] = static_cast<double>(step);
   all[2] = ahead_s;
   all[3] = ranks;
+  all[4] = static_cast<double>(gone.size());
+  if (!gone.empty()) std::memcpy(&all[kHead], gone.data(), gone.size() * sizeof gone[0]);
   const int bytes = static_cast<int>(all.size() * sizeof(double));
   std::fwrite(&bytes, sizeof bytes, 1, file);
   std::fwrite(all.data(), sizeof(double), all.size(), file);
@@ -53,8 +57,13 @@ BridgeCheckpoint BridgeCheckpoint::read(const char* state, MPI_Comm world) {
   if (number(0) != kFormat) return checkpoint;
   checkpoint.step = static_cast<std::int64_t>(number(1));
   checkpoint.ahead_s = number(2);
+  checkpoint.gone.resize(static_cast<std::size_t>(number(4)));
+  for (std::size_t i = 0; i < checkpoint.gone.size(); ++i) {
+    std::memcpy(&checkpoint.gone[i], state + (kHead + kNumbers * i) * sizeof(double),
+                sizeof checkpoint.gone[i]);
+  }
   if (static_cast<int>(number(3)) != ranks) return checkpoint;
-  std::size_t at = kHead;
+  std::size_t at = kHead + kNumbers * checkpoint.gone.size();
   for (int r = 0; r < rank; ++r) at += 1 + static_cast<std::size_t>(number(at));
   const auto count = static_cast<std::size_t>(number(at));
   for (std::size_t i = 1; i <= count; ++i) checkpoint.insertion.push_back(number(at + i));

@@ -10,7 +10,8 @@ namespace powderlink::host {
 namespace {
 
 const char* const kKeywords =
-    "every, transport, address, rendezvous, token, connect, listen, timeout, case, checkpoint";
+    "every, transport, address, rendezvous, token, connect, listen, timeout, case, checkpoint, "
+    "sizes";
 
 }  // namespace
 
@@ -52,6 +53,12 @@ CoupleBridgeOptions CoupleBridgeOptions::parse(int narg, const char* const* arg,
         throw InvalidInput("checkpoint", o.checkpoint_prefix, "a name without * and %",
                            "give the beginning of the name; the step is added to it");
       }
+    } else if (key == "sizes") {
+      const std::string sizes = words.next("sizes", "like | any");
+      if (sizes != "like" && sizes != "any") {
+        throw InvalidInput("sizes", sizes, "like | any", "name one of them");
+      }
+      o.any_size = sizes == "any";
     } else {
       throw InvalidInput("keyword of fix couple/bridge", key, kKeywords, "correct the spelling");
     }

@@ -10,6 +10,7 @@
 ///       [timeout S]                 of every wait, default 120 s
 ///       [case NAME]                 default: name of the current folder
 ///       [checkpoint FILE-PREFIX]    default post/restart.
+///       [sizes like|any]            of LIGGGHTS's box and the mesh; like: within a factor of 100
 /// Tests: tests/host/couple_bridge_options_test.cpp
 #pragma once
 
@@ -27,6 +28,7 @@ struct CoupleBridgeOptions {
   double timeout_s = 120.0;
   std::string case_name;
   std::string checkpoint_prefix = "post/restart.";
+  bool any_size = false;
 
   /// \param folder  name of the current folder
   /// Throws InvalidInput.

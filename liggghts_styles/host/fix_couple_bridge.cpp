@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstring>
 #include <filesystem>
-#include <limits>
 
 #include <mpi.h>
 
@@ -43,9 +42,12 @@ FixCoupleBridge::FixCoupleBridge(LAMMPS* lmp, int narg, char** arg)
   global_freq = 1;
   extvector = 0;
   time_depend = 1;
+  // Before those of the properties, so that copy_arrays() still finds their values.
+  atom->add_callback(0);
 }
 
 FixCoupleBridge::~FixCoupleBridge() {
+  atom->delete_callback(id, 0);
   if (!link_) return;
   try {
     link_->finish();
@@ -117,16 +119,18 @@ struct FixCoupleBridge::StepArrays {
         v(atom.v),
         omega(atom.omega),
         rmass(atom.rmass),
-        added_mass(p.added_mass()),
+        place(p.place()),
         impulse{sum[0], sum[1], sum[2]} {}
   const double *const *step, *const *pressure;
   double *const *reaction, *const *v, *const *omega;
-  const double *rmass, *added_mass;
+  const double* rmass;
+  double* const* place;
   double impulse[3];  ///< sum of the reactions
 };
 
 void FixCoupleBridge::relax() {
   newcomers_.clear();
+  count_added_mass();
   StepArrays all(properties_, *atom, impulse_);
   for (int i = 0; i < atom->nlocal; ++i) {
     if (!(atom->mask[i] & groupbit)) continue;
@@ -152,11 +156,12 @@ inline void FixCoupleBridge::move(int i, StepArrays& all) {
   const double* step = all.step[i];
   const double* pressure = all.pressure[i];
   double* reaction = all.reaction[i];
-  const double mass = all.rmass[i] + (has_added_mass_ ? all.added_mass[i] : 0.0);
   double* v = all.v[i];
   for (int c = 0; c < 3; ++c) {
     const double after = step[FluidProperties::kA] * v[c] + step[FluidProperties::kD + c];
-    const double impulse = mass * (after - v[c]) - dt_s_ * pressure[c];
+    // What m_a gains stays in the fluid.
+    const double impulse = all.rmass[i] * (after - v[c]) - dt_s_ * pressure[c];
+    if (has_added_mass_) all.place[i][FluidProperties::kVelocity + c] += after - v[c];
     v[c] = after;
     reaction[c] += impulse;
     all.impulse[c] += impulse;
@@ -166,6 +171,54 @@ inline void FixCoupleBridge::move(int i, StepArrays& all) {
   for (int c = 0; c < 3; ++c) {
     spin[c] = step[FluidProperties::kSpinA] * spin[c] + step[FluidProperties::kSpinD + c];
   }
+}
+
+/// The velocity that contacts and weight gave to the particles since the last step took m_a with it:
+/// that momentum is the fluid's.
+void FixCoupleBridge::count_added_mass() {
+  if (!has_added_mass_) return;
+  const double* added_mass = properties_.added_mass();
+  double* const* place = properties_.place();
+  const double* const* step = properties_.step();
+  for (int i = 0; i < atom->nlocal; ++i) {
+    const double state = step[i][FluidProperties::kState];
+    if (!(atom->mask[i] & groupbit) ||
+        (state != FluidProperties::kOwn && state != FluidProperties::kBorrowed)) {
+      continue;
+    }
+    double* last = place[i] + FluidProperties::kVelocity;
+    for (int c = 0; c < 3; ++c) {
+      const double impulse = -added_mass[i] * (atom->v[i][c] - last[c]);
+      properties_.reaction_impulse()[i][c] += impulse;
+      impulse_[c] += impulse;
+      last[c] = atom->v[i][c];
+    }
+  }
+}
+
+void FixCoupleBridge::remember_place(int i) {
+  double* place = properties_.place()[i];
+  place[FluidProperties::kId] = atom->tag[i];
+  std::copy(atom->x[i], atom->x[i] + 3, place + FluidProperties::kPosition);
+  std::copy(atom->v[i], atom->v[i] + 3, place + FluidProperties::kVelocity);
+}
+
+/// LIGGGHTS removes a particle from a rank by copying the last one onto it. Its position and id have
+/// been overwritten at this moment, the values of the properties have not.
+void FixCoupleBridge::copy_arrays(int /*from*/, int to, int removed) {
+  if (removed == 0 || !link_ || over_) return;
+  const double state = properties_.step()[to][FluidProperties::kState];
+  if (state != FluidProperties::kOwn && state != FluidProperties::kBorrowed) return;
+  const double* place = properties_.place()[to];
+  VanishedParticle particle;
+  particle.id = place[FluidProperties::kId];
+  particle.borrowed = state == FluidProperties::kBorrowed ? 1.0 : 0.0;
+  particle.step = static_cast<double>(update->ntimestep);
+  for (int c = 0; c < 3; ++c) {
+    particle.place_m[c] = place[FluidProperties::kPosition + c];
+    particle.impulse_N_s[c] = properties_.reaction_impulse()[to][c];
+  }
+  leaving_.note(particle);
 }
 
 /// A frozen atom keeps its velocity; what holds it takes the force, the fluid feels it all the same.
@@ -211,62 +264,31 @@ void FixCoupleBridge::set_step(int i) {
   for (int c = 0; c < 3; ++c) step[FluidProperties::kSpinD + c] = turn.d[c];
 }
 
-/// Of every newcomer the nearest particle with values of its own, or -1. Newcomers appear together, so
-/// that most particles are farther from the box around them than the nearest one of each.
-std::vector<int> FixCoupleBridge::nearest_lenders(const std::vector<int>& newcomers) const {
-  constexpr double kFar = std::numeric_limits<double>::max();
-  double low[3] = {kFar, kFar, kFar};
-  double high[3] = {-kFar, -kFar, -kFar};
-  for (const int i : newcomers) {
-    for (int c = 0; c < 3; ++c) {
-      low[c] = std::min(low[c], atom->x[i][c]);
-      high[c] = std::max(high[c], atom->x[i][c]);
-    }
-  }
-
-  std::vector<int> nearest(newcomers.size(), -1);
-  std::vector<double> least(newcomers.size(), kFar);
-  double farthest = kFar;  // the largest of least
-  const double* const* step = properties_.step();
-  for (int j = 0; j < atom->nlocal; ++j) {
-    const double* x = atom->x[j];
-    double to_box = 0.0;
-    for (int c = 0; c < 3; ++c) {
-      const double outside = std::max({low[c] - x[c], x[c] - high[c], 0.0});
-      to_box += outside * outside;
-    }
-    if (to_box >= farthest || !(atom->mask[j] & groupbit) ||
-        step[j][FluidProperties::kState] != FluidProperties::kOwn) {
+/// Those that have values of their own, as they stand when the first newcomer since the last exchange
+/// asks: their values hold until the next one.
+void FixCoupleBridge::find_lenders() {
+  for (int i = 0; i < atom->nlocal; ++i) {
+    if (!(atom->mask[i] & groupbit) ||
+        properties_.step()[i][FluidProperties::kState] != FluidProperties::kOwn) {
       continue;
     }
-    for (std::size_t n = 0; n < newcomers.size(); ++n) {
-      const double* own = atom->x[newcomers[n]];
-      double distance2 = 0.0;
-      for (int c = 0; c < 3; ++c) distance2 += (own[c] - x[c]) * (own[c] - x[c]);
-      if (distance2 < least[n]) {
-        least[n] = distance2;
-        nearest[n] = j;
-      }
-    }
-    farthest = *std::max_element(least.begin(), least.end());
+    lenders_.add(atom->x[i], FluidLoan(properties_, i, atom->radius[i]));
   }
-  return nearest;
+  lenders_.order();
 }
 
 void FixCoupleBridge::borrow_values(const std::vector<int>& newcomers) {
-  const std::vector<int> lenders = nearest_lenders(newcomers);
+  if (!lenders_.ordered()) find_lenders();
   double* const* step = properties_.step();
-  for (std::size_t n = 0; n < newcomers.size(); ++n) {
-    const int i = newcomers[n];
-    const int nearest = lenders[n];
-    if (nearest < 0 && coupled_ == 0.0) {
+  for (const int i : newcomers) {
+    const FluidLoan* loan = lenders_.nearest(atom->x[i]);
+    if (!loan && coupled_ == 0.0) {
       step[i][FluidProperties::kState] = FluidProperties::kNothing;
       continue;
     }
-    const FluidLoan loan =
-        nearest < 0 ? mean_ : FluidLoan(properties_, nearest, atom->radius[nearest]);
-    loan.give(properties_, i, atom->radius[i]);
+    (loan ? *loan : mean_).give(properties_, i, atom->radius[i]);
     step[i][FluidProperties::kState] = FluidProperties::kBorrowed;
+    remember_place(i);
     set_step(i);
   }
 }

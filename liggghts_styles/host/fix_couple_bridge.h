@@ -9,17 +9,20 @@
 /// It acts in pre_initial_integrate(), which LIGGGHTS calls before any time integration fix, so the
 /// order of fixes in the script is free.
 ///
-/// Impulse: reactionImpulse += M (v' - v) - dt pressureForce in each step, exact up to round-off; it
-/// is sent and set to zero at each exchange. With added mass m_a all other forces count m/(m + m_a).
+/// Impulse: reactionImpulse += m (v' - v) - dt pressureForce in each step, v to v' being what the fluid
+/// does, and -= m_a times the change of velocity by all other forces: added mass is fluid, its
+/// momentum stays there. Exact up to round-off; it is sent and set to zero at each exchange. All other
+/// forces count m/(m + m_a). Of particles that have vanished it goes as a row of its own, without a radius
+/// (host/leaving_particles.h); of what contacts did to them in their last step, m_a is not counted.
 /// New particles between exchanges take over the values of the nearest particle of their rank that
-/// has its own: fluid velocity, spin and fraction as they are, drag coefficient times the ratio of
+/// has its own and is in the fluid: fluid velocity, spin and fraction as they are, drag coefficient times the ratio of
 /// diameters, rotational drag its cube, pressure force and added mass the ratio of volumes, no other
 /// force (host/fluid_loan.h). Where the rank has none, the mean of all particles at the last exchange
 /// is taken; when there were none at all, nothing acts until the next exchange.
 ///
 /// f_ID[1..3]  fluid force on all particles at the last exchange [N]
 /// f_ID[4]     coupled particles, [5] seconds spent in exchanges, waiting for the solver included
-/// f_ID[6..8]  reaction impulse of particles that vanished before it could be sent [N s]
+/// f_ID[6..8]  reaction impulse that was not sent [N s]: zero up to round-off
 #pragma once
 
 #include <cstdio>
@@ -32,8 +35,10 @@
 #include "coupling/bridge/coupling_link.h"
 #include "host/bridge_checkpoint.h"
 #include "host/couple_bridge_options.h"
+#include "host/fluid_lenders.h"
 #include "host/fluid_loan.h"
 #include "host/fluid_properties.h"
+#include "host/leaving_particles.h"
 
 namespace powderlink::host {
 
@@ -55,6 +60,7 @@ class FixCoupleBridge : public LAMMPS_NS::Fix {
   double compute_vector(int n) override;
   void write_restart(std::FILE* file) override;
   void restart(char* state) override;
+  void copy_arrays(int from, int to, int removed) override;
 
  private:
   // --- link to the solver (fix_couple_bridge_exchange.cpp)
@@ -63,11 +69,14 @@ class FixCoupleBridge : public LAMMPS_NS::Fix {
   void check_domains() const;
   void exchange(LAMMPS_NS::bigint step);
   void gather(std::vector<int>& destination, std::vector<bridge::ColumnView>& columns);
+  std::size_t gone_rows() const;
   void fill(const bridge::FieldSpec& field, std::vector<double>& values) const;
   void check_values() const;
+  bool is_in_fluid(std::size_t row) const;
   void store();
   void find_mean();
   void count_lost_impulse();
+  void settle();
   void end_by_solver(LAMMPS_NS::bigint step);
   [[noreturn]] void stop(const std::string& message) const;
   void say(const std::string& message) const;
@@ -83,8 +92,10 @@ class FixCoupleBridge : public LAMMPS_NS::Fix {
   void relax();
   void move(int i, StepArrays& all);
   void hold(int i, StepArrays& all);
+  void count_added_mass();
+  void remember_place(int i);
   void find_held_atoms();
-  std::vector<int> nearest_lenders(const std::vector<int>& newcomers) const;
+  void find_lenders();
   void borrow_values(const std::vector<int>& newcomers);
   void set_step(int i);
   void scale_forces();
@@ -105,12 +116,15 @@ class FixCoupleBridge : public LAMMPS_NS::Fix {
   double exchange_s_ = 0.0;
   double impulse_[3] = {0, 0, 0};       ///< of all reactions on this rank since the last exchange
   double lost_impulse_[3] = {0, 0, 0};  ///< on all ranks
+  LeavingParticles leaving_;            ///< since the last exchange
+  std::vector<VanishedParticle> gone_;  ///< to be sent; the same on all ranks
 
-  std::vector<int> rows_;  ///< atoms that were sent
+  std::vector<int> rows_;  ///< atoms that were sent, before those that have vanished
   std::vector<std::int64_t> ids_;
   std::vector<std::vector<double>> sent_, got_;  ///< by column
   std::vector<int> newcomers_;
-  double coupled_ = 0.0;  ///< particles of all ranks at the last exchange
+  FluidLenders lenders_;  ///< since the last exchange, if there were newcomers
+  double coupled_ = 0.0;  ///< particles of all ranks in the fluid at the last exchange
   FluidLoan mean_;        ///< of them
 };
 

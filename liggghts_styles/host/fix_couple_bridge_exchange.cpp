@@ -9,6 +9,7 @@
 #include <mpi.h>
 
 #include "atom.h"
+#include "comm.h"
 #include "domain.h"
 #include "modify.h"
 #include "signal_handling.h"
@@ -126,31 +127,50 @@ void FixCoupleBridge::check_domains() const {
          " to " + number_text(high) +
          " m; allowed: two that overlap; to do: check units (m) and origin of region and mesh");
   }
-  // A mesh in mm around a box in m holds it, in one corner; small and large boxes are no error.
+  // A mesh in mm around a box in m holds it, in one corner.
   constexpr double suspicious = 100.0;
-  if (most > 1.0 / suspicious && least < suspicious) return;
-  say("Warning: the box of LIGGGHTS is " + number_text(least) + " to " + number_text(most) +
-      " times as long as the mesh of the solver, along each axis: are both in m?");
+  if (options_.any_size || (most > 1.0 / suspicious && least < suspicious)) return;
+  stop(
+      "sizes; given: a box of LIGGGHTS that is " + number_text(least) + " to " + number_text(most) +
+      " times as long as the mesh of the solver, along each axis; allowed: both in m, or sizes "
+      "any; "
+      "to do: check the units of region and mesh (transformPoints scales a mesh), or add sizes any "
+      "to the line of the fix");
 }
 
+/// Rows that this rank sends for particles that have vanished.
+std::size_t FixCoupleBridge::gone_rows() const { return comm->me == 0 ? gone_.size() : 0; }
+
+/// Rows of particles that have vanished have a place and an impulse, all else is zero.
 void FixCoupleBridge::fill(const bridge::FieldSpec& field, std::vector<double>& values) const {
+  const std::size_t all = rows_.size() + gone_rows();
   const auto scalars = [&](const double* from) {
-    values.resize(rows_.size());
+    values.assign(all, 0.0);
     for (std::size_t r = 0; r < rows_.size(); ++r) values[r] = from[rows_[r]];
   };
   const auto vectors = [&](double* const* from) {
-    values.resize(3 * rows_.size());
+    values.assign(3 * all, 0.0);
     for (std::size_t r = 0; r < rows_.size(); ++r) {
       std::copy(from[rows_[r]], from[rows_[r]] + 3, &values[3 * r]);
+    }
+  };
+  const auto of_gone = [&](auto member) {
+    for (std::size_t r = rows_.size(); r < all; ++r) {
+      const double* from = gone_[r - rows_.size()].*member;
+      std::copy(from, from + 3, &values[3 * r]);
     }
   };
   if (field == fields::velocity) vectors(atom->v);
   if (field == fields::spin) vectors(atom->omega);
   if (field == fields::radius) scalars(atom->radius);
   if (field == fields::density) scalars(atom->density);
-  if (field == fields::reaction_impulse) vectors(properties_.reaction_impulse());
+  if (field == fields::reaction_impulse) {
+    vectors(properties_.reaction_impulse());
+    of_gone(&VanishedParticle::impulse_N_s);
+  }
   if (!(field == fields::position)) return;
   vectors(atom->x);
+  of_gone(&VanishedParticle::place_m);
   // Between two rebuilds of the neighbour list atoms may stand a little beyond a periodic boundary.
   for (std::size_t c = 0; c < values.size(); ++c) {
     const std::size_t axis = c % 3;
@@ -170,19 +190,22 @@ void FixCoupleBridge::gather(std::vector<int>& destination,
     rows_.push_back(i);
     ids_.push_back(atom->tag[i]);
   }
+  for (std::size_t r = 0; r < gone_rows(); ++r) {
+    ids_.push_back(static_cast<std::int64_t>(gone_[r].id));
+  }
   std::vector<double> position;
   fill(fields::position, position);
-  destination.resize(rows_.size());
-  for (std::size_t r = 0; r < rows_.size(); ++r) {
+  destination.resize(ids_.size());
+  for (std::size_t r = 0; r < ids_.size(); ++r) {
     destination[r] = link_->rank_map().rank_of(&position[3 * r]);
   }
   const auto& plan = link_->plan().to_solver;
   for (std::size_t column = 0; column < plan.size(); ++column) {
     if (plan[column] == fields::id) {
-      columns.emplace_back(ids_.data(), rows_.size());
+      columns.emplace_back(ids_.data(), ids_.size());
     } else {
       fill(plan[column], sent_[column]);
-      columns.emplace_back(sent_[column].data(), rows_.size());
+      columns.emplace_back(sent_[column].data(), ids_.size());
     }
   }
 }
@@ -210,6 +233,19 @@ void FixCoupleBridge::check_values() const {
        "diverged; lower its time step");
 }
 
+/// The solver sends zeros to particles outside its mesh, and the fluid fraction 1.
+bool FixCoupleBridge::is_in_fluid(std::size_t row) const {
+  const auto& plan = link_->plan().to_dem;
+  for (std::size_t column = 0; column < plan.size(); ++column) {
+    if (plan[column] == fields::fluid_fraction) continue;
+    const std::size_t n = plan[column].shape.components();
+    for (std::size_t k = n * row; k < n * (row + 1); ++k) {
+      if (got_[column][k] != 0.0) return true;
+    }
+  }
+  return false;
+}
+
 void FixCoupleBridge::store() {
   const auto& plan = link_->plan().to_dem;
   for (std::size_t column = 0; column < plan.size(); ++column) {
@@ -223,8 +259,11 @@ void FixCoupleBridge::store() {
       }
     }
   }
-  for (const int i : rows_) {
-    properties_.step()[i][FluidProperties::kState] = FluidProperties::kOwn;
+  for (std::size_t r = 0; r < rows_.size(); ++r) {
+    const int i = rows_[r];
+    properties_.step()[i][FluidProperties::kState] =
+        is_in_fluid(r) ? FluidProperties::kOwn : FluidProperties::kNothing;
+    remember_place(i);
     set_step(i);
   }
 }
@@ -232,24 +271,45 @@ void FixCoupleBridge::store() {
 /// For new particles on a rank that has none.
 void FixCoupleBridge::find_mean() {
   FluidLoan sum;
-  for (const int i : rows_) sum.add(FluidLoan(properties_, i, atom->radius[i]));
-  coupled_ = static_cast<double>(rows_.size());
+  coupled_ = 0.0;
+  for (const int i : rows_) {
+    if (properties_.step()[i][FluidProperties::kState] != FluidProperties::kOwn) continue;
+    sum.add(FluidLoan(properties_, i, atom->radius[i]));
+    ++coupled_;
+  }
   MPI_Allreduce(MPI_IN_PLACE, &coupled_, 1, MPI_DOUBLE, MPI_SUM, world);
   MPI_Allreduce(MPI_IN_PLACE, sum.data(), FluidLoan::size(), MPI_DOUBLE, MPI_SUM, world);
   if (coupled_ > 0.0) sum.divide(coupled_);
   mean_ = sum;
 }
 
-/// What was given to all particles, less what those that are still here carry.
+/// What was given to all particles, less what was sent.
 void FixCoupleBridge::count_lost_impulse() {
   double lost[3] = {impulse_[0], impulse_[1], impulse_[2]};
   for (const int i : rows_) {
     for (int c = 0; c < 3; ++c) lost[c] -= properties_.reaction_impulse()[i][c];
   }
+  for (std::size_t r = 0; r < gone_rows(); ++r) {
+    for (int c = 0; c < 3; ++c) lost[c] -= gone_[r].impulse_N_s[c];
+  }
   MPI_Allreduce(MPI_IN_PLACE, lost, 3, MPI_DOUBLE, MPI_SUM, world);
   // The first exchange of a continued run sends what was collected before.
   if (next_exchange_ < 0) return;
   for (int c = 0; c < 3; ++c) lost_impulse_[c] += lost[c];
+}
+
+/// The impulses are complete, and it is known who has vanished. Collective.
+void FixCoupleBridge::settle() {
+  count_added_mass();
+  if (!leaving_.collect(world)) return;
+  const double* const* step = properties_.step();
+  for (int i = 0; i < atom->nlocal; ++i) {
+    const double state = step[i][FluidProperties::kState];
+    if (state != FluidProperties::kOwn && state != FluidProperties::kBorrowed) continue;
+    leaving_.see(atom->tag[i], state == FluidProperties::kBorrowed);
+  }
+  const std::vector<VanishedParticle> gone = leaving_.vanished(world);
+  gone_.insert(gone_.end(), gone.begin(), gone.end());
 }
 
 void FixCoupleBridge::end_by_solver(bigint step) {
@@ -264,6 +324,7 @@ void FixCoupleBridge::end_by_solver(bigint step) {
 void FixCoupleBridge::exchange(bigint step) {
   const double start = MPI_Wtime();
   if (checkpoint_is_due_) go_home(step);
+  settle();
   bridge::SolverWord word;
   try {
     std::vector<int> destination;
@@ -272,8 +333,8 @@ void FixCoupleBridge::exchange(bigint step) {
     link_->send_particles(step, static_cast<double>(step) * dt_s_, destination, columns);
     std::vector<bridge::MutableColumnView> room;
     for (std::size_t column = 0; column < got_.size(); ++column) {
-      got_[column].resize(rows_.size() * link_->plan().to_dem[column].shape.components());
-      room.emplace_back(got_[column].data(), rows_.size());
+      got_[column].resize(ids_.size() * link_->plan().to_dem[column].shape.components());
+      room.emplace_back(got_[column].data(), ids_.size());
     }
     word = link_->receive_values(room);
   } catch (const bridge::BridgeError& problem) {
@@ -295,6 +356,8 @@ void FixCoupleBridge::exchange(bigint step) {
     for (int c = 0; c < 3; ++c) properties_.reaction_impulse()[i][c] = 0.0;
   }
   std::fill(impulse_, impulse_ + 3, 0.0);
+  gone_.clear();
+  lenders_.clear();
   next_exchange_ = step + options_.every;
 }
 

@@ -56,6 +56,7 @@ void FixCoupleBridge::save(bigint step) {
   }
   checkpoint_.step = step;
   checkpoint_.insertion = insertion_state(lmp);
+  checkpoint_.gone = gone_;
   const bigint counted = update->ntimestep;
   update->ntimestep = step;
   const std::string problem = write_checkpoint(lmp, file);
@@ -67,11 +68,14 @@ void FixCoupleBridge::save(bigint step) {
 /// The script may end here: nobody would ask for the checkpoint that is due at this moment. Should a
 /// run follow, its first exchange makes it again.
 void FixCoupleBridge::post_run() {
-  if (!over_ && checkpoint_is_due_ && update->ntimestep == next_exchange_) save(next_exchange_);
+  if (over_ || !checkpoint_is_due_ || update->ntimestep != next_exchange_) return;
+  settle();
+  save(next_exchange_);
 }
 
 void FixCoupleBridge::go_on(bigint step) {
   goes_on_ = false;
+  gone_ = checkpoint_.gone;
   go_home(step);
   const FixPropertyAtom* releases = release();
   for (int i = 0; i < atom->nlocal; ++i) {

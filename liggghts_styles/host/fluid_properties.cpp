@@ -30,7 +30,8 @@ const Property kProperties[] = {{"fluidVelocity", 3, "0.", &fields::fluid_veloci
                                 {"fluidTorque", 3, "0.", &fields::fluid_torque},
                                 {"addedMass", 1, "0.", &fields::added_mass},
                                 {"couplingStep", FluidProperties::kStepColumns, "0.", nullptr},
-                                {"couplingKept", FluidProperties::kKeptColumns, "0.", nullptr}};
+                                {"couplingKept", FluidProperties::kKeptColumns, "0.", nullptr},
+                                {"couplingPlace", FluidProperties::kPlaceColumns, "0.", nullptr}};
 
 }  // namespace
 

@@ -23,7 +23,11 @@ class FluidProperties {
   /// Columns of the hidden property `couplingKept`, valid at a checkpoint only: what LIGGGHTS makes
   /// anew at the start of a run. The step of release is that of fix insert/stream.
   enum Kept { kForce, kTorque = kForce + 3, kRelease = kTorque + 3, kKeptColumns };
-  /// What column kState says; new atoms have kNew.
+  /// Columns of the hidden property `couplingPlace`: the particle at the last exchange, or when it
+  /// came; the velocity is the last one whose gain the impulse has.
+  enum Place { kId, kPosition, kVelocity = kPosition + 3, kPlaceColumns = kVelocity + 3 };
+  /// What column kState says; new atoms have kNew. kNothing: outside the mesh of the solver, or new
+  /// when the solver knew none.
   enum State { kNew = 0, kOwn = 1, kBorrowed = 2, kNothing = 3 };
 
   explicit FluidProperties(LAMMPS_NS::LAMMPS* lmp) : lmp_(lmp) {}
@@ -51,6 +55,7 @@ class FluidProperties {
   double* added_mass() const { return all_[10]->vector_atom; }
   double** step() const { return all_[11]->array_atom; }
   double** kept() const { return all_[12]->array_atom; }
+  double** place() const { return all_[13]->array_atom; }
 
  private:
   LAMMPS_NS::LAMMPS* lmp_;

@@ -37,6 +37,8 @@ struct Particles {
 };
 /// \param largest  radii go from a fifth of this one to this one [m]
 Particles random_particles(int n, double largest, int seed);
+/// \param radii  one per position
+Particles particles_at(const Foam::pointField& positions, const Foam::scalarField& radii);
 Particles one_particle(const Foam::point& position, double radius);
 
 /// A dictionary from its text.

@@ -17,7 +17,28 @@ const Foam::fvMesh* the_mesh = nullptr;
 const Foam::cellLocator* the_locator = nullptr;
 double the_cell_size = 0.0;
 
-Particles owned(const Foam::pointField& positions, const Foam::scalarField& radii) {
+}  // namespace
+
+const Foam::fvMesh& mesh() { return *the_mesh; }
+const Foam::cellLocator& locator() { return *the_locator; }
+bool on_cube() { return mesh().time().globalCaseName() == "cube"; }
+
+bool on_box() { return mesh().time().globalCaseName() == "box"; }
+
+double cell_size() { return the_cell_size; }
+
+Foam::pointField random_points(int n, int seed) {
+  std::mt19937_64 random(seed);
+  std::uniform_real_distribution<double> uniform(0.0, 1.0);
+  const Foam::boundBox& box = mesh().bounds();
+  Foam::pointField points(n);
+  for (Foam::point& p : points) {
+    for (int d = 0; d < 3; ++d) p[d] = box.min()[d] + uniform(random) * box.span()[d];
+  }
+  return points;
+}
+
+Particles particles_at(const Foam::pointField& positions, const Foam::scalarField& radii) {
   // Row i first goes to rank i mod n, as if the sender knew nothing.
   Foam::DynamicList<Foam::label> mine;
   Foam::scalarField values(positions.size());
@@ -40,37 +61,17 @@ Particles owned(const Foam::pointField& positions, const Foam::scalarField& radi
   p.total_vector = Foam::gSum(p.vectors);
   return p;
 }
-}  // namespace
-
-const Foam::fvMesh& mesh() { return *the_mesh; }
-const Foam::cellLocator& locator() { return *the_locator; }
-bool on_cube() { return mesh().time().globalCaseName() == "cube"; }
-
-bool on_box() { return mesh().time().globalCaseName() == "box"; }
-
-double cell_size() { return the_cell_size; }
-
-Foam::pointField random_points(int n, int seed) {
-  std::mt19937_64 random(seed);
-  std::uniform_real_distribution<double> uniform(0.0, 1.0);
-  const Foam::boundBox& box = mesh().bounds();
-  Foam::pointField points(n);
-  for (Foam::point& p : points) {
-    for (int d = 0; d < 3; ++d) p[d] = box.min()[d] + uniform(random) * box.span()[d];
-  }
-  return points;
-}
 
 Particles random_particles(int n, double largest, int seed) {
   std::mt19937_64 random(seed + 1000);
   std::uniform_real_distribution<double> uniform(0.2, 1.0);
   Foam::scalarField radii(n);
   for (double& r : radii) r = largest * uniform(random);
-  return owned(random_points(n, seed), radii);
+  return particles_at(random_points(n, seed), radii);
 }
 
 Particles one_particle(const Foam::point& position, double radius) {
-  return owned(Foam::pointField(1, position), Foam::scalarField(1, radius));
+  return particles_at(Foam::pointField(1, position), Foam::scalarField(1, radius));
 }
 
 Foam::dictionary dictionary_of(const std::string& entries) {

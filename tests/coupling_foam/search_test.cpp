@@ -55,6 +55,22 @@ TEST(CellLocator, AnyHintFindsTheSameCell) {
   }
 }
 
+TEST(CellLocator, OutsideTheNearestCellIsThatOfTheNearestCentre) {
+  const Foam::boundBox& box = mesh().bounds();
+  for (const Foam::point& p : random_points(200, 3)) {
+    // Half of them beyond the box.
+    const Foam::point far = box.midpoint() + 2.0 * (p - box.midpoint());
+    const label found = locator().nearest(far);
+    if (locator().find(far) >= 0) {
+      EXPECT_EQ(found, locator().find(far));
+    } else {
+      const label expected = mesh().findNearestCell(far);
+      EXPECT_NEAR(mag(mesh().cellCentres()[found] - far), mag(mesh().cellCentres()[expected] - far),
+                  1e-12 * box.mag());
+    }
+  }
+}
+
 TEST(CellLocator, CentresAreInTheirCells) {
   forAll(mesh().cellCentres(), i) EXPECT_EQ(locator().find(mesh().cellCentres()[i]), i);
 }
@@ -179,6 +195,27 @@ TEST(ParticleOwnership, EveryParticleHasOneOwnerAndResultsComeBack) {
   const Foam::List<std::int64_t> named(ownership.outsideIds(ids, all.size()));
   if (Pstream::master()) {
     EXPECT_EQ(std::set<std::int64_t>(named.begin(), named.end()), outside);
+  }
+}
+
+TEST(ParticleOwnership, RowsThatArePassedOverHaveNoOwner) {
+  const Foam::pointField points(random_points(40, 12));
+  Foam::labelList passed;
+  Foam::scalarField values(points.size());
+  forAll(points, i) {
+    values[i] = 1.0 + i;
+    if (i % 3 == 0) passed.append(i);
+  }
+  Foam::particleOwnership ownership(locator());
+  ownership.update(points, passed);
+  Foam::List<double> owned, back;
+  ownership.toOwner(values, owned);
+  ownership.toReceiver(owned, back, -1.0);
+  std::set<label> outside(ownership.outsideRows().begin(), ownership.outsideRows().end());
+  forAll(points, i) {
+    const bool ownerless = i % 3 == 0 || outside.count(i) != 0;
+    EXPECT_EQ(back[i], ownerless ? -1.0 : values[i]) << i;
+    EXPECT_FALSE(i % 3 == 0 && outside.count(i) != 0) << i;
   }
 }
 

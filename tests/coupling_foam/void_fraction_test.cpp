@@ -3,11 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <complex>
 #include <fstream>
 #include <vector>
 
 #include "foam_case.h"
 #include "labelIOList.H"
+#include "mathematicalConstants.H"
 #include "smoothVoidFraction.H"
 #include "voidFraction.H"
 
@@ -106,6 +108,42 @@ TEST(VoidFraction, DoesNotDependOnTheDecomposition) {
     double error = 0.0;
     forAll(here, c) error = std::max(error, std::abs(here[c] - expected[place[c]]));
     EXPECT_LE(error, kRoundOff * Foam::gMax(here));
+  }
+}
+
+// Moved by whole cells, across the periodic faces and between ranks, every particle must leave the same
+// trace: the Fourier amplitude of the solids fraction turns by k s and keeps its size.
+TEST(VoidFraction, HasNoSeamAtPeriodicPatches) {
+  if (!on_box()) GTEST_SKIP() << "needs a box that is periodic in all directions";
+  const Foam::vector box = mesh().bounds().span();
+  const Foam::vector moved(3e-3, 5e-3, 4e-3);
+  Foam::pointField start(random_points(200, 11));
+  Foam::pointField there(start);
+  for (Foam::point& r : there) {
+    r += moved;
+    for (int d = 0; d < 3; ++d) r[d] -= r[d] >= box[d] ? box[d] : 0.0;
+  }
+  const Foam::scalarField radii(start.size(), 0.8 * cell_size());
+  for (const std::string& type : types()) {
+    SCOPED_TRACE(type);
+    auto fraction = model_of_test(type);
+    const auto amplitude = [&](const Foam::pointField& positions, const Foam::vector& k) {
+      const Particles p = particles_at(positions, radii);
+      fraction->set(p.positions, p.radii, p.cells);
+      const Foam::scalarField amount(mesh().V() * fraction->solidsFraction().field());
+      const Foam::scalarField phase(mesh().C().primitiveField() & k);
+      return std::complex<double>(Foam::gSum((amount * cos(phase))()),
+                                  Foam::gSum((amount * sin(phase))()));
+    };
+    for (const Foam::vector& waves :
+         {Foam::vector(1, 0, 0), Foam::vector(0, 1, 0), Foam::vector(1, 1, 1)}) {
+      const Foam::vector k = 2.0 * Foam::constant::mathematical::pi * cmptDivide(waves, box);
+      const auto before = amplitude(start, k);
+      const auto after = amplitude(there, k);
+      const double total = Foam::gSum(mesh().V() * fraction->solidsFraction().field());
+      EXPECT_GT(std::abs(before), 1e-3 * total);
+      EXPECT_LT(std::abs(after - before * std::polar(1.0, k & moved)), kRoundOff * total);
+    }
   }
 }
 

@@ -6,6 +6,7 @@
 //   transport=mpi|socket folder=. case=NAME dt=STEP every=N side=LENGTH low=LENGTH grid=N radius=R
 //   exchanges=MAX fixed=0|1 state=FILE (begin with it) out=FILE die_at=N (exit without a word)
 //   first_step=N (of its clock) skip=N (steps that its clock is ahead after each exchange)
+//   open=0|1 (not periodic) vanish=X (those that come to x < X)
 #include <mpi.h>
 
 #include <unistd.h>
@@ -36,7 +37,29 @@ double number(const Options& options, const char* key) { return std::stod(option
 struct Particles {
   std::vector<std::int64_t> id;
   std::vector<double> x, v, spin, radius, density, impulse;
+  std::vector<double> place;  ///< of the last exchange
   std::size_t count() const { return id.size(); }
+
+  void erase(std::size_t i) {
+    const auto scalar = static_cast<std::ptrdiff_t>(i);
+    id.erase(id.begin() + scalar);
+    for (auto* column : {&radius, &density}) column->erase(column->begin() + scalar);
+    for (auto* column : {&x, &v, &spin, &impulse, &place}) {
+      column->erase(column->begin() + 3 * scalar, column->begin() + 3 * scalar + 3);
+    }
+  }
+  /// A row without a radius: the impulse of one that has vanished.
+  void add_vanished(const Particles& from, std::size_t i) {
+    id.push_back(from.id[i]);
+    radius.push_back(0.0);
+    density.push_back(0.0);
+    for (std::size_t c = 3 * i; c < 3 * i + 3; ++c) {
+      x.push_back(from.place[c]);
+      v.push_back(0.0);
+      spin.push_back(0.0);
+      impulse.push_back(from.impulse[c]);
+    }
+  }
 };
 
 Particles lattice(const Options& options) {
@@ -99,10 +122,20 @@ Particles load(const std::string& file, std::int64_t& step) {
 }
 
 struct Values {
+  explicit Values(std::size_t n)
+      : u(3 * n), fraction(n), drag(n), reacting(3 * n), pressure(3 * n) {}
   std::vector<double> u, fraction, drag, reacting, pressure;
+
+  void erase(std::size_t i) {
+    const auto scalar = static_cast<std::ptrdiff_t>(i);
+    for (auto* column : {&fraction, &drag}) column->erase(column->begin() + scalar);
+    for (auto* column : {&u, &reacting, &pressure}) {
+      column->erase(column->begin() + 3 * scalar, column->begin() + 3 * scalar + 3);
+    }
+  }
 };
 
-/// One step of the DEM, constant coefficients.
+/// One step of the DEM, constant coefficients; side 0: not periodic.
 void advance(Particles& p, const Values& w, double dt, bool fixed, double side) {
   for (std::size_t i = 0; i < p.count(); ++i) {
     const double r = p.radius[i];
@@ -119,9 +152,19 @@ void advance(Particles& p, const Values& w, double dt, bool fixed, double side) 
       p.impulse[c] += mass * change - dt * w.pressure[c];
       p.v[c] += change;
       p.x[c] += dt * p.v[c];
-      if (p.x[c] < 0.0) p.x[c] += side;  // periodic
+      if (side == 0.0) continue;
+      if (p.x[c] < 0.0) p.x[c] += side;
       if (p.x[c] >= side) p.x[c] -= side;
     }
+  }
+}
+
+void vanish(Particles& p, Values& w, double below, Particles& gone) {
+  for (std::size_t i = p.count(); i-- > 0;) {
+    if (p.x[3 * i] >= below) continue;
+    gone.add_vanished(p, i);
+    p.erase(i);
+    w.erase(i);
   }
 }
 
@@ -153,18 +196,27 @@ int run(const Options& options, const bridge::MpiWorld& world) {
   MPI_Bcast(&step, 1, MPI_INT64_T, 0, world.local);
   hello.clock.time_s = static_cast<double>(step) * dt;
   bridge::DemLink dem(world.local, link, hello, hello.needs);
-  const std::size_t n = p.count();
-  Values w{std::vector<double>(3 * n), std::vector<double>(n), std::vector<double>(n),
-           std::vector<double>(3 * n), std::vector<double>(3 * n)};
   double total[3] = {0.0, 0.0, 0.0};
+  Particles gone;  // since the last exchange
   for (int exchange = 0; exchange < std::stoi(options.at("exchanges")); ++exchange) {
     if (options.count("die_at") && exchange == std::stoi(options.at("die_at"))) _exit(3);
+    Particles rows = p;
+    p.place = p.x;
+    for (std::size_t i = 0; i < gone.count(); ++i) {
+      gone.place = gone.x;
+      rows.add_vanished(gone, i);
+    }
+    gone = Particles();
+    const std::size_t n = rows.count();
     std::vector<int> destination;
-    for (std::size_t i = 0; i < n; ++i) destination.push_back(dem.rank_map().rank_of(&p.x[3 * i]));
-    const ColumnView columns[] = {ColumnView(p.id.data(), n),     ColumnView(p.x.data(), n),
-                                  ColumnView(p.v.data(), n),      ColumnView(p.spin.data(), n),
-                                  ColumnView(p.radius.data(), n), ColumnView(p.density.data(), n),
-                                  ColumnView(p.impulse.data(), n)};
+    for (std::size_t i = 0; i < n; ++i) {
+      destination.push_back(dem.rank_map().rank_of(&rows.x[3 * i]));
+    }
+    const ColumnView columns[] = {
+        ColumnView(rows.id.data(), n),     ColumnView(rows.x.data(), n),
+        ColumnView(rows.v.data(), n),      ColumnView(rows.spin.data(), n),
+        ColumnView(rows.radius.data(), n), ColumnView(rows.density.data(), n),
+        ColumnView(rows.impulse.data(), n)};
     std::vector<ColumnView> sent;
     for (const auto& spec : dem.plan().to_solver) {
       for (std::size_t k = 0; k < hello.offers.size(); ++k) {
@@ -172,6 +224,7 @@ int run(const Options& options, const bridge::MpiWorld& world) {
       }
     }
     dem.send_particles(step, static_cast<double>(step) * dt, destination, sent);
+    Values w(n);
     const bridge::SolverWord word = dem.receive_values(
         {MutableColumnView(w.u.data(), n), MutableColumnView(w.fraction.data(), n),
          MutableColumnView(w.drag.data(), n), MutableColumnView(w.reacting.data(), n),
@@ -180,10 +233,12 @@ int run(const Options& options, const bridge::MpiWorld& world) {
       save(p, step, options.at("out") + "." + std::to_string(step));
     }
     if (word.command == bridge::Command::stop) break;
-    for (std::size_t c = 0; c < 3 * n; ++c) total[c % 3] += p.impulse[c];
-    p.impulse.assign(3 * n, 0.0);
+    for (std::size_t c = 0; c < 3 * n; ++c) total[c % 3] += rows.impulse[c];
+    p.impulse.assign(3 * p.count(), 0.0);
     for (int i = 0; i < every; ++i) {
-      advance(p, w, dt, options.at("fixed") == "1", number(options, "side"));
+      advance(p, w, dt, options.at("fixed") == "1",
+              options.at("open") == "1" ? 0.0 : number(options, "side"));
+      if (options.count("vanish")) vanish(p, w, number(options, "vanish"), gone);
     }
     step += every + std::stoi(options.at("skip"));
   }
@@ -204,7 +259,7 @@ int main(int argc, char** argv) {
                                     {"dt", "2e-6"},         {"every", "10"}, {"side", "4e-3"},
                                     {"low", "0"},           {"grid", "6"},   {"radius", "3e-5"},
                                     {"exchanges", "10000"}, {"fixed", "0"},  {"out", "dem.state"},
-                                    {"skip", "0"}};
+                                    {"skip", "0"},          {"open", "0"}};
   int status = 0;
   try {
     for (int i = 1; i < argc; ++i) {

@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include <gtest/gtest.h>
+
 #include "liggghts_case.h"
 
 namespace powderlink::testing {
@@ -17,6 +19,14 @@ constexpr double kStep = 1e-6;
 constexpr int kEvery = 10;
 constexpr double kDensity = 8000.0;
 constexpr double kDiameter = 100e-6;
+
+/// Text of a number that keeps its digits.
+inline std::string text(double value) {
+  std::ostringstream out;
+  out.precision(17);
+  out << value;
+  return out.str();
+}
 
 inline double sphere_mass(double diameter) {
   return kDensity * 3.14159265358979323846 / 6.0 * diameter * diameter * diameter;
@@ -117,5 +127,17 @@ inline std::vector<std::vector<double>> read_log(const std::filesystem::path& fi
 }
 
 inline std::string interval() { return "interval=1e-5 "; }
+
+/// One grain in a gas.
+inline std::map<long, Snapshot> run_grain(const LiggghtsCase& c, const std::string& more,
+                                          const std::string& solver, int steps,
+                                          const Sphere& sphere = grain(0.0)) {
+  c.write_spheres("spheres.data", {sphere}, 1e-2);
+  const Outcome o = c.couple(header(soft_spheres(), "spheres.data") + more + kGas + dump_lines(1) +
+                                 "run " + std::to_string(steps) + "\n",
+                             {interval() + solver});
+  EXPECT_EQ(o.status, 0) << o.output;
+  return read_dump(c.folder() / "all.dump");
+}
 
 }  // namespace powderlink::testing

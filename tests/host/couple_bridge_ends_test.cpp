@@ -131,15 +131,18 @@ TEST(CoupleBridgeEnds, AnErrorOfLiggghtsIsToldToTheSolver) {
   }
 }
 
-TEST(CoupleBridgeEnds, ABoxThatIsTinyAgainstTheMeshIsWarnedOf) {
-  for (const bool tiny : {true, false}) {
-    const LiggghtsCase c(tiny ? "couple_tiny_box" : "couple_same_box");
+TEST(CoupleBridgeEnds, ABoxThatIsTinyAgainstTheMeshIsRefusedUnlessItIsMeant) {
+  for (const bool meant : {false, true}) {
+    const LiggghtsCase c(meant ? "couple_small_box" : "couple_tiny_box");
     std::string script = good_script(c, "run 10\n");
+    if (meant) script.replace(script.find("every 10"), 8, "every 10 sizes any");
     c.write_spheres("spheres.data", {grain(0.0)}, 1e-3);
-    const Outcome o = c.couple(script, {std::string(kWind) + (tiny ? "" : " box=-1e-3,1e-3")});
-    EXPECT_EQ(o.status, 0) << o.output;
-    const auto warning = o.output.find("Warning: the box of LIGGGHTS is 0.001 to 0.001 times");
-    EXPECT_EQ(warning != std::string::npos, tiny) << o.output;
+    // The fake solver's mesh is 2 m long along y and z.
+    const Outcome o = c.couple(script, {std::string(kWind) + " box=-1,1"});
+    EXPECT_EQ(o.status == 0, meant) << o.output;
+    const auto refusal =
+        o.output.find("sizes; given: a box of LIGGGHTS that is 0.001 to 0.001 times");
+    EXPECT_EQ(refusal == std::string::npos, meant) << o.output;
   }
 }
 

@@ -58,6 +58,7 @@ TEST(CoupleBridgeOptions, WrongLinesAreRefused) {
       {"every", "every; given: nothing"},
       {"every 5 every 5", "twice"},
       {"every 5 transport tcp", "allowed: mpi | socket"},
+      {"every 5 sizes big", "sizes; given: big; allowed: like | any"},
       {"every 5 timeout 0", "timeout; given: 0"},
       {"every 5 timeout soon", "timeout; given: soon"},
       {"every 5 evry 5", "keyword of fix couple/bridge; given: evry"},

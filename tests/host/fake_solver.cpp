@@ -7,6 +7,7 @@
 //   react=X,Y,Z  press=X,Y,Z        explicit forces [N]
 //   added_mass=C                    m_a = C m
 //   turn=SPIN,K_R,TORQUE            about z
+//   above=Z                         no fluid below: zeros, fluid fraction 1
 //   labels=1                        fluid velocity is (id, radius, x) instead, no drag
 //   time=T ahead=D                 clock at the start; with D: goes on from a checkpoint, D ahead of
 //                                  LIGGGHTS's
@@ -105,6 +106,13 @@ class Gas {
       if (settings_.has("stokes")) drag = 6.0 * kPi * settings_.number("stokes", 0.0) * radius[i];
       if (broken) drag = std::nan("");
       std::size_t next = 0;
+      if (settings_.has("above") && x[3 * i + 2] < settings_.number("above", 0.0)) {
+        for (const bridge::FieldSpec& field : offers()) {
+          const double value = field == fields::fluid_fraction ? 1.0 : 0.0;
+          add(next, std::vector<double>(field.shape.components(), value));
+        }
+        continue;
+      }
       add(next, wind);
       add(next, {1.0});
       add(next, {labels ? 0.0 : drag});
@@ -132,7 +140,10 @@ class Gas {
 };
 
 void log_exchange(std::FILE* file, MPI_Comm local, const bridge::ParticleTable& table) {
-  double sums[4] = {double(table.particles), 0.0, 0.0, 0.0};
+  double sums[4] = {0.0, 0.0, 0.0, 0.0};
+  for (const double radius : table.fields[4].values<double>()) {
+    if (radius > 0.0) ++sums[0];  // the others have vanished
+  }
   const auto& impulse = table.fields[6].values<double>();
   for (std::size_t i = 0; i < impulse.size(); ++i) sums[1 + i % 3] += impulse[i];
   double all[4] = {0, 0, 0, 0};
@@ -165,7 +176,7 @@ int run(const Settings& settings) {
                  fields::radius, fields::density,  fields::reaction_impulse};
   hello.offers = gas.offers();
   std::vector<double> box = settings.list("box");
-  if (box.empty()) box = {-1.0, 1.0};
+  if (box.empty()) box = {-1e-2, 1e-2};
   bridge::RankMap map;
   map.voxels = {link.world.ranks, 1, 1};
   map.origin_m = {box[0], -1.0, -1.0};

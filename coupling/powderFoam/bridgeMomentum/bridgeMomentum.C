@@ -177,6 +177,7 @@ Foam::bridgeMomentum::bridgeMomentum
     ),
     alphafStart_(alphaf_.primitiveField()),
     account_(settings_, clock_, particles_, voidFraction_()),
+    fields_(mesh, settings_.dict),
     ddtU_(),
     clocksOnDisk_(mesh),
     answerIsDue_(false),
@@ -274,6 +275,7 @@ bool Foam::bridgeMomentum::startStep()
     timer_.lap(couplingTimer::sharing);
 
     evaluateForces();
+    fields_.set(particles_, rows_.dragCoefficient, voidFraction_());
 
     if (settings_.twoWay)
     {
@@ -331,7 +333,7 @@ void Foam::bridgeMomentum::endStep()
     timer_.lap(couplingTimer::fluid);
     if (settings_.twoWay)
     {
-        account_.endInterval(rows_);
+        account_.endInterval();
         timer_.lap(couplingTimer::sharing);
     }
     if (answerIsDue_)

@@ -40,15 +40,40 @@ namespace
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
+void Foam::bridgeParticles::takeStrays
+(
+    const labelUList& rows,
+    const UList<point>& received,
+    const UList<vector>& impulse
+)
+{
+    for (const label row : rows)
+    {
+        // One that was outside before has none
+        if (impulse[row] == vector::zero)
+        {
+            continue;
+        }
+        const label celli = locator_.nearest(received[row]);
+        if (celli >= 0)
+        {
+            strays_.append({celli, impulse[row]});
+        }
+    }
+}
+
+
 void Foam::bridgeParticles::checkOutside
 (
     const label exchange,
     const List<point>& received,
-    const List<int64_t>& ids
+    const List<int64_t>& ids,
+    const labelUList& vanished
 ) const
 {
     const label nOutside = ownership_.nOutsideGlobal();
-    const label nAll = returnReduce(received.size(), sumOp<label>());
+    const label nAll =
+        returnReduce(received.size() - vanished.size(), sumOp<label>());
     Info<< "exchange " << exchange << ": " << nAll
         << " particles, " << nOutside << " outside" << endl;
     if (!nOutside)
@@ -128,18 +153,33 @@ void Foam::bridgeParticles::take
     namespace f = bridge::fields;
 
     const List<point> position = rowsOf<point>(table, plan, f::position);
-    ownership_.update(position);
-    checkOutside(exchange, position, rowsOf<int64_t>(table, plan, f::id));
+    const List<scalar> radius = rowsOf<scalar>(table, plan, f::radius);
+    const List<vector> impulse =
+        rowsOf<vector>(table, plan, f::reaction_impulse);
+
+    DynamicList<label> vanished;
+    forAll(radius, row)
+    {
+        if (radius[row] == 0)
+        {
+            vanished.append(row);
+        }
+    }
+    ownership_.update(position, vanished);
+    checkOutside
+    (
+        exchange, position, rowsOf<int64_t>(table, plan, f::id), vanished
+    );
+    strays_.clear();
+    takeStrays(vanished, position, impulse);
+    takeStrays(ownership_.outsideRows(), position, impulse);
 
     ownership_.toOwner(position, position_);
     ownership_.toOwner(rowsOf<vector>(table, plan, f::velocity), velocity_);
     ownership_.toOwner(rowsOf<vector>(table, plan, f::spin), spin_);
-    ownership_.toOwner(rowsOf<scalar>(table, plan, f::radius), radius_);
+    ownership_.toOwner(radius, radius_);
     ownership_.toOwner(rowsOf<scalar>(table, plan, f::density), density_);
-    ownership_.toOwner
-    (
-        rowsOf<vector>(table, plan, f::reaction_impulse), impulse_
-    );
+    ownership_.toOwner(impulse, impulse_);
 }
 
 

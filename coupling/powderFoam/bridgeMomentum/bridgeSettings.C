@@ -3,6 +3,7 @@
 #include "bridgeSettings.H"
 #include "bridgeLink.H"
 #include "dictionaryChecks.H"
+#include "particleFields.H"
 #include "writtenFiles.H"
 #include "uniformDimensionedFields.H"
 
@@ -82,6 +83,7 @@ const Foam::dictionary& Foam::bridgeSettings::checkedEntries
     });
     optional.append(bridgeLink::optionalEntries());
     optional.append(fluidForces::optionalEntries());
+    optional.append(particleFields::optionalEntries());
     dictionaryChecks::checkEntries
     (
         dict,

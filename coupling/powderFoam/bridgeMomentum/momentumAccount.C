@@ -23,6 +23,11 @@ void Foam::momentumAccount::countImpulses()
         impulse += J;
         magImpulse += mag(J);
     }
+    for (const bridgeParticles::strayImpulse& stray : particles_.strays())
+    {
+        impulse += stray.impulse;
+        magImpulse += mag(stray.impulse);
+    }
     reduce(impulse, sumOp<vector>());
     reduce(magImpulse, sumOp<scalar>());
 
@@ -131,23 +136,26 @@ void Foam::momentumAccount::startInterval
     scalarField values(nValues*n, Zero);
     relaxedDrag_.setSize(n);
     relaxedDrag_ = 0;
+    explicitForce_.setSize(n);
+    explicitForce_ = Zero;
     for (label i = 0; i < n; ++i)
     {
         scalar K = rows.dragCoefficient[i];
         vector explicitPart(Zero);
         if (settings_.semiImplicit)
         {
-            scalar mass =
+            const scalar mass =
                 4.0/3.0*constant::mathematical::pi
                *pow3(particles_.radius()[i])*particles_.density()[i];
-            if (rows.addedMass.size())
-            {
-                mass += rows.addedMass[i];
-            }
-            const scalar x = K*D/mass;
-            K *= powderlink::forces::relaxation_mean(x);
+            const scalar addedMass =
+                rows.addedMass.size() ? rows.addedMass[i] : 0;
+            const scalar share = mass/(mass + addedMass);
+            const scalar x = K*D/(mass + addedMass);
+            K *= share*powderlink::forces::relaxation_mean(x);
             relaxedDrag_[i] = K;
-            explicitPart = K*particles_.velocity()[i] - rows.reactingForce[i];
+            explicitForce_[i] =
+                share*rows.reactingForce[i] - (1 - share)*rows.pressureForce[i];
+            explicitPart = K*particles_.velocity()[i] - explicitForce_[i];
         }
         const vector& J = particles_.impulse()[i];
 
@@ -169,6 +177,13 @@ void Foam::momentumAccount::startInterval
 
     // A first exchange without a run before has no interval to settle
     const bool settles = clock_.nExchanges() > 0 || isRestart_;
+    if (settles)
+    {
+        for (const bridgeParticles::strayImpulse& stray : particles_.strays())
+        {
+            balance_[stray.cell] -= stray.impulse/(rho*mesh_.V()[stray.cell]);
+        }
+    }
     forAll(balance_, celli)
     {
         const scalar* d = &placed[nValues*celli];
@@ -225,7 +240,7 @@ void Foam::momentumAccount::addStep
 }
 
 
-void Foam::momentumAccount::endInterval(const fluidForces::forceRows& rows)
+void Foam::momentumAccount::endInterval()
 {
     const tmp<vectorField> tpath = voidFraction_.gather(path_);
     const vectorField& path = tpath();
@@ -239,7 +254,7 @@ void Foam::momentumAccount::endInterval(const fluidForces::forceRows& rows)
         {
             const vector I =
                 relaxedDrag_[i]*(path[i] - D*particles_.velocity()[i])
-              + D*rows.reactingForce[i];
+              + D*explicitForce_[i];
             for (direction d = 0; d < nValues; ++d)
             {
                 given[nValues*i + d] = I[d];
