@@ -15,7 +15,7 @@ namespace powderlink::analysis {
 namespace {
 
 struct Options {
-  std::string folder, json;
+  std::string folder, json, dem_prefix = kUsualDemPrefix;
   std::optional<double> time_step_s;
   bool prepare = false;
 };
@@ -33,7 +33,7 @@ std::string json_of(const CheckpointPair& pair, bool prepared) {
 }
 
 void run(const Options& o) {
-  const Checkpoints found = require_checkpoints(o.folder, o.time_step_s);
+  const Checkpoints found = require_checkpoints(o.folder, o.time_step_s, o.dem_prefix);
   for (const std::string& line : found.refused()) {
     fmt::print(stderr, "powderlink: later, but of no use: {}\n", line);
   }
@@ -47,19 +47,16 @@ void run(const Options& o) {
   if (o.prepare) {
     for (const std::string& line : prepare_restart(o.folder, found)) fmt::print("{}\n", line);
     fmt::print(
-        "to continue: a LIGGGHTS script with `read_restart post/restart.latest` in place of "
-        "create_box and\nwhat fills the box; then the same mpirun line. endTime must be after "
-        "{:g} s.\n",
-        pair.fields.time_s);
+        "to continue: a LIGGGHTS script with `read_restart {}latest` in place of create_box and\n"
+        "what fills the box; then the same mpirun line. endTime must be after {:g} s.\n",
+        o.dem_prefix, pair.fields.time_s);
   } else {
     fmt::print(
         "to continue: --prepare moves later time folders to discarded/, sets startFrom latestTime "
-        "and links\npost/restart.latest; or do so by hand: startFrom startTime; startTime {}; and "
-        "a "
-        "LIGGGHTS script with\n`read_restart post/restart.{}` in place of create_box and what "
-        "fills "
-        "the box.\n",
-        pair.fields.name, pair.dem.step);
+        "and links\n{0}latest; or do so by hand: startFrom startTime; startTime {1}; and a "
+        "LIGGGHTS script with\n`read_restart {0}{2}` in place of create_box and what fills the "
+        "box.\n",
+        o.dem_prefix, pair.fields.name, pair.dem.step);
   }
   if (!o.json.empty()) write_file(o.json, json_of(pair, o.prepare));
 }
@@ -74,6 +71,11 @@ void add_restart_command(CLI::App& app) {
   c->add_option("case", o->folder, "folder of the coupled run")->required();
   c->add_option("--json", o->json, "write the pair to this file too");
   c->add_option("--dt", o->time_step_s, "DEM time step [s] (default: from log.liggghts or in.*)");
+  c->add_option(
+       "--checkpoint", o->dem_prefix,
+       "beginning of LIGGGHTS's restart files within the case: the word after `checkpoint` "
+       "of fix couple/bridge")
+      ->capture_default_str();
   c->add_flag("--prepare", o->prepare,
               "make the case start from it; later time folders are moved to discarded/");
   c->callback([o] { run(*o); });

@@ -14,6 +14,7 @@
 #include <sstream>
 
 #include "analysis/flow/dem_time_step.h"
+#include "analysis/restart/field_file.h"
 #include "models/invalid_input.h"
 
 namespace powderlink::analysis {
@@ -23,8 +24,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::array<const char*, 4> kFields{"U", "p", "phi", "alphaf"};
-constexpr double kDigits = 6.0;  // OpenFOAM's default timePrecision
-constexpr std::streamoff kTail_bytes = 200;
+constexpr double kDigits = 6.0;         // OpenFOAM's default timePrecision
 constexpr std::size_t kMostLines = 10;  // of reasons in one message
 
 template <class Number>
@@ -61,28 +61,6 @@ std::optional<double> number_in(const fs::path& file, const std::string& name) {
     }
   }
   return {};
-}
-
-/// OpenFOAM closes every file that it writes with a line of asterisks; a plain name for a whole
-/// file, else what is wrong.
-std::string why_not_whole(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  if (!in) return "cannot be read";
-  in.seekg(0, std::ios::end);
-  const std::streamoff size = in.tellg();
-  if (size == 0) return "is empty";
-  const std::streamoff tail = std::min(size, kTail_bytes);
-  in.seekg(size - tail);
-  std::string text(static_cast<std::size_t>(tail), '\0');
-  in.read(text.data(), tail);
-  if (file.extension() == ".gz") {
-    return size > 18 ? "" : "breaks off";  // shorter than gzip's own head and end
-  }
-  const std::size_t last = text.find_last_not_of(" \t\r\n");
-  if (last == std::string::npos || last < 4 || text.compare(last - 4, 5, "** //") != 0) {
-    return "breaks off: OpenFOAM's last line // *** // is missing";
-  }
-  return "";
 }
 
 /// Field files in a time folder, without the ending .gz.
@@ -187,13 +165,15 @@ std::optional<std::int64_t> step_in_head(const fs::path& file) {
   return {};
 }
 
-std::vector<DemCheckpoint> find_dem(const fs::path& case_folder) {
+std::vector<DemCheckpoint> find_dem(const fs::path& case_folder, const std::string& prefix) {
   std::vector<DemCheckpoint> found;
   std::error_code problem;
-  for (const auto& entry : fs::directory_iterator(case_folder / "post", problem)) {
+  const fs::path place = case_folder / prefix;
+  const std::string begin = place.filename().string();
+  for (const auto& entry : fs::directory_iterator(place.parent_path(), problem)) {
     const std::string name = entry.path().filename().string();
-    if (name.rfind("restart.", 0) != 0 || !entry.is_regular_file()) continue;
-    const auto step = whole_number<long>(name.substr(8));
+    if (name.rfind(begin, 0) != 0 || !entry.is_regular_file()) continue;
+    const auto step = whole_number<long>(name.substr(begin.size()));
     if (!step) continue;  // the link restart.latest, or a file still being written
     DemCheckpoint checkpoint{*step, entry.path(), ""};
     const auto inside = step_in_head(entry.path());
@@ -237,15 +217,17 @@ const DemCheckpoint* partner(const FieldCheckpoint& fields, const std::vector<De
 
 }  // namespace
 
-Checkpoints find_checkpoints(const fs::path& case_folder, std::optional<double> time_step_s) {
+Checkpoints find_checkpoints(const fs::path& case_folder, std::optional<double> time_step_s,
+                             const std::string& dem_prefix) {
   if (!fs::is_directory(case_folder)) {
     throw InvalidInput("opening the case", case_folder.string(), "the folder of a coupled case",
                        "correct the path");
   }
   Checkpoints found;
   found.time_step_s = dem_time_step_s(case_folder, time_step_s);
+  found.dem_prefix = dem_prefix;
   found.fields = find_fields(case_folder);
-  found.dem = find_dem(case_folder);
+  found.dem = find_dem(case_folder, dem_prefix);
   for (const FieldCheckpoint& fields : found.fields) {
     const DemCheckpoint* dem = partner(fields, found.dem, found.time_step_s);
     if (fields.missing.empty() && dem != nullptr && dem->missing.empty()) {
@@ -263,7 +245,7 @@ std::vector<std::string> Checkpoints::refused() const {
     const DemCheckpoint* d = partner(f, dem, time_step_s);
     std::string why = f.missing;
     if (why.empty() && d == nullptr) {
-      why = fmt::format("no post/restart.{:.0f} beside it", particles_time_s(f) / time_step_s);
+      why = fmt::format("no {}{:.0f} beside it", dem_prefix, particles_time_s(f) / time_step_s);
     } else if (why.empty()) {
       why = d->missing;
     }
@@ -288,8 +270,9 @@ std::vector<std::string> Checkpoints::refused() const {
   return lines;
 }
 
-Checkpoints require_checkpoints(const fs::path& case_folder, std::optional<double> time_step_s) {
-  Checkpoints found = find_checkpoints(case_folder, time_step_s);
+Checkpoints require_checkpoints(const fs::path& case_folder, std::optional<double> time_step_s,
+                                const std::string& dem_prefix) {
+  Checkpoints found = find_checkpoints(case_folder, time_step_s, dem_prefix);
   if (!found.last) {
     std::string given;
     const auto lines = found.refused();
@@ -298,10 +281,11 @@ Checkpoints require_checkpoints(const fs::path& case_folder, std::optional<doubl
     }
     throw InvalidInput(
         "looking for a complete pair of checkpoints in " + case_folder.string(),
-        given.empty() ? "no time folder and no post/restart.<step>" : given,
-        "time folders with U, p, phi and alphaf of every processor and the post/restart.<step> of "
-        "the same time",
-        "start the run from the beginning; let both codes write at the same times (checkpoint)");
+        given.empty() ? "no time folder and no " + dem_prefix + "<step>" : given,
+        "time folders with U, p, phi and alphaf of every processor and the " + dem_prefix +
+            "<step> of the same time",
+        "give --checkpoint PREFIX if fix couple/bridge has the keyword checkpoint; else start the "
+        "run from the beginning, and let both codes write at the same times");
   }
   return found;
 }

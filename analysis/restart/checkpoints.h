@@ -3,9 +3,11 @@
 /// Pairs of checkpoints of a coupled case: the solver's fields at a time T and LIGGGHTS's restart
 /// file of the step with step dt = T, the moment of both.
 ///   fields   CASE/<T>/ or CASE/processor*/<T>/ with U, p, phi, alphaf, and in every processor the
-///            same files; a file is whole when OpenFOAM's last line closes it
-///   restart  CASE/post/restart.<step>, whole when it has this name (its writer renames it at the
-///            end), not empty, and its head carries this step
+///            same files; a file is whole when OpenFOAM's last line closes it, a compressed one when
+///            it can be inflated to that line
+///   restart  CASE/post/restart.<step>, or with another beginning (keyword checkpoint of the fix);
+///            whole when it has this name (its writer renames it at the end), not empty, and its head
+///            carries this step
 /// When the particles' clock is ahead of the fluid's (a bed that had settled before), the step is that
 /// of T plus the difference, which powderFoam keeps in <T>/uniform/couplingClock.
 /// T is read from <T>/uniform/time where that is given; the folder's name may be rounded. Times
@@ -42,6 +44,7 @@ struct CheckpointPair {
 
 struct Checkpoints {
   double time_step_s = 0.0;             ///< of the DEM
+  std::string dem_prefix;               ///< beginning of the restart files' names
   std::vector<FieldCheckpoint> fields;  ///< by time
   std::vector<DemCheckpoint> dem;       ///< by step
   std::optional<CheckpointPair> last;   ///< the latest complete pair
@@ -50,12 +53,17 @@ struct Checkpoints {
   std::vector<std::string> refused() const;
 };
 
+inline constexpr const char* kUsualDemPrefix = "post/restart.";  ///< that of fix couple/bridge
+
 /// Only reads. Throws when the case cannot be read or the time step is unknown.
+/// \param dem_prefix  the word after `checkpoint` of fix couple/bridge, within the case's folder
 Checkpoints find_checkpoints(const std::filesystem::path& case_folder,
-                             std::optional<double> time_step_s);
+                             std::optional<double> time_step_s,
+                             const std::string& dem_prefix = kUsualDemPrefix);
 
 /// As find_checkpoints, but throws when no pair is complete, with what is missing.
 Checkpoints require_checkpoints(const std::filesystem::path& case_folder,
-                                std::optional<double> time_step_s);
+                                std::optional<double> time_step_s,
+                                const std::string& dem_prefix = kUsualDemPrefix);
 
 }  // namespace powderlink::analysis

@@ -70,7 +70,7 @@ std::vector<std::string> prepare_restart(const fs::path& case_folder,
     }
   }
 
-  const fs::path link = case_folder / "post" / "restart.latest";
+  const fs::path link = case_folder / (checkpoints.dem_prefix + "latest");
   const fs::path beside = link.string() + fmt::format(".part{}", ::getpid());
   std::error_code problem;
   fs::create_symlink(pair.dem.file.filename(), beside, problem);

@@ -3,8 +3,8 @@
 /// Makes a case continue from its last complete pair of checkpoints. Nothing is deleted:
 /// later time folders go to CASE/discarded/[processorN/] (a number is added when the name is taken),
 /// so that the pair's is the latest one; controlDict gets `startFrom latestTime;` by a new file that
-/// is renamed onto it; post/restart.latest becomes a link to the restart file. Doing it again
-/// changes nothing.
+/// is renamed onto it; post/restart.latest (the restart files' own beginning and `latest`) becomes a
+/// link to the restart file. Doing it again changes nothing.
 /// Tests: tests/analysis/restart_test.cpp
 #pragma once
 

@@ -90,6 +90,13 @@ void check_map(const RankMap& map, int solver_ranks) {
   }
 }
 
+class Line;
+/// Of this process, for say_last_words(), which may be called at its very end.
+std::vector<Line*>& lines() {
+  static auto* all = new std::vector<Line*>;
+  return *all;
+}
+
 /// What both sides of a link have in common.
 class Line {
  public:
@@ -101,7 +108,11 @@ class Line {
     std::string text = session_ ? to_text(session_->peer()) : std::string();
     share_text(local_, text, timeout_s());
     peer_ = hello_from_text(text);
+    lines().push_back(this);
   }
+  ~Line() { lines().erase(std::remove(lines().begin(), lines().end(), this), lines().end()); }
+  Line(const Line&) = delete;
+  Line& operator=(const Line&) = delete;
 
   double timeout_s() const { return options_.timeout_s; }
   bool over_mpi() const { return options_.route == LinkOptions::Route::mpi; }
@@ -166,6 +177,21 @@ class Line {
   void fail(const std::string& why) noexcept {
     open_ = false;
     if (session_) session_->fail(why);
+  }
+
+  /// fail() of a rank that may be the only one to know.
+  void cry(const std::string& why) noexcept {
+    if (!open_) return;
+    if (session_ || !over_mpi()) {
+      fail(why);
+      return;
+    }
+    open_ = false;
+    try {
+      encode_text(outgoing_, MessageKind::error, why);
+      MpiTransport::cry(options_.world, outgoing_);
+    } catch (const std::exception&) {  // this program ends in any case
+    }
   }
 
  private:
@@ -275,6 +301,10 @@ void check_known(const Hello& solver, const std::vector<FieldSpec>& known) {
 
 }  // namespace
 
+void say_last_words(const std::string& why) noexcept {
+  for (Line* line : lines()) line->cry(why);
+}
+
 int RankMap::rank_of(const double* position_m) const {
   std::array<std::size_t, 3> index{};
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -349,7 +379,7 @@ void DemLink::finish() {
   line.say_goodbye();
 }
 
-void DemLink::fail(const std::string& why) noexcept { parts_->line.fail(why); }
+void DemLink::fail(const std::string& why) noexcept { parts_->line.cry(why); }
 
 struct SolverLink::Parts {
   Parts(MPI_Comm local, const LinkOptions& options, Hello hello)
@@ -418,6 +448,6 @@ void SolverLink::finish() {
   if (parts_->owes_values || receive_particles()) send_values({Command::stop, false}, {});
 }
 
-void SolverLink::fail(const std::string& why) noexcept { parts_->line.fail(why); }
+void SolverLink::fail(const std::string& why) noexcept { parts_->line.cry(why); }
 
 }  // namespace powderlink::bridge

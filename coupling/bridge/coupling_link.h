@@ -31,7 +31,7 @@ namespace powderlink::bridge {
 struct LinkOptions {
   enum class Route { mpi, socket };
   Route route = Route::mpi;
-  MpiWorld world;        ///< of split_world(); for Route::mpi
+  MpiWorld world;        ///< of split_world_if_shared(); for Route::mpi
   SocketOptions socket;  ///< for Route::socket
   bool listens = false;  ///< socket: this side waits, the other one connects
   double timeout_s = 120.0;
@@ -59,6 +59,9 @@ struct SolverWord {
   bool checkpoint_next = false;
 };
 
+/// For a program that is about to end without its links' knowledge: fail() of every link that is open.
+void say_last_words(const std::string& why) noexcept;
+
 class DemLink {
  public:
   /// \param local  ranks of this program
@@ -79,8 +82,8 @@ class DemLink {
   SolverWord receive_values(const std::vector<MutableColumnView>& columns);
   /// The orderly end, at any time; nothing happens when the link is closed already.
   void finish();
-  /// Tells the solver why this side ends and closes the link; waits for nobody. Rank 0 speaks, other
-  /// ranks may call it, too.
+  /// Tells the solver why this side ends and closes the link; returns within 1.5 s. All ranks may call
+  /// it, or one: over MPI any is heard, over a socket the first.
   void fail(const std::string& why) noexcept;
 
  private:

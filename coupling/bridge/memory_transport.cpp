@@ -51,16 +51,6 @@ class MemoryTransport : public Transport {
     channel_->changed.notify_all();
   }
 
-  void abort(const std::string& why) noexcept override {
-    try {
-      Bytes frame;
-      encode_text(frame, MessageKind::error, why);
-      MemoryTransport::send(frame, Deadline(0.0));
-    } catch (const std::exception&) {  // the other end is gone already
-    }
-    MemoryTransport::close();
-  }
-
  private:
   std::shared_ptr<Channel> channel_;
   int end_;

@@ -1,18 +1,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "coupling/bridge/mpi_transport.h"
 
-#include <cstdio>
 #include <limits>
+#include <thread>
 #include <utility>
 
 namespace powderlink::bridge {
+
+namespace {
+
+constexpr int cry_tag = 99;
+/// For the other program to read why this one ends, and then to print it.
+constexpr double reading_s = 0.7;
+constexpr double printing_s = 0.2;
+
+void let_print() { std::this_thread::sleep_for(std::chrono::duration<double>(printing_s)); }
+
+}  // namespace
 
 MpiTransport::MpiTransport(const MpiWorld& world, int peer_rank, int tag)
     : inter_(world.inter),
       peer_rank_(peer_rank),
       tag_(tag),
       peer_("rank " + std::to_string(peer_rank) + " of " + world.peer_role),
-      mailbox_(world.inter, tag, world.peer_role) {
+      mailbox_(world.inter, tag, world.peer_role),
+      cries_(world.inter, cry_tag, world.peer_role) {
   if (peer_rank < 0 || peer_rank >= world.peer_ranks) {
     throw BridgeError(BridgeError::Kind::bad_input, "rank of " + world.peer_role,
                       std::to_string(peer_rank), "0 to " + std::to_string(world.peer_ranks - 1),
@@ -24,13 +36,21 @@ MpiTransport::~MpiTransport() { MpiTransport::close(); }
 
 /// An empty message stands for the end of the connection; a frame never is empty.
 bool MpiTransport::poll() {
-  if (peer_closed_ || !mailbox_.poll(peer_rank_, spare_)) return false;
+  if (peer_closed_) return false;
+  if (!mailbox_.poll(peer_rank_, spare_)) return poll_cries();
   if (spare_.empty()) {
     peer_closed_ = true;
   } else {
     ready_.push_back(std::move(spare_));
     spare_ = Bytes();
   }
+  return true;
+}
+
+bool MpiTransport::poll_cries() {
+  if (!cries_.poll(MPI_ANY_SOURCE, spare_)) return false;
+  ready_.push_back(std::move(spare_));
+  spare_ = Bytes();
   return true;
 }
 
@@ -87,10 +107,36 @@ void MpiTransport::close() noexcept {
   MPI_Request_free(&request);
 }
 
-void MpiTransport::abort(const std::string& why) noexcept {
-  std::fprintf(stderr, "powderlink: %s\n", why.c_str());
-  std::fflush(stderr);
-  MPI_Abort(inter_, 1);
+void MpiTransport::close_after_error() noexcept {
+  if (closed_) return;
+  close();
+  try {
+    const Deadline deadline(reading_s);
+    Backoff backoff;
+    while (!peer_closed_) {  // its answer to what it has read
+      if (deadline.expired()) break;
+      if (!poll()) backoff.pause();
+      ready_.clear();
+    }
+    let_print();
+  } catch (const std::exception&) {  // this program ends in any case
+  }
+}
+
+void MpiTransport::cry(const MpiWorld& world, const Bytes& frame, int peer_rank) noexcept {
+  try {
+    const auto* kept = new Bytes(frame);  // MPI may still read it at the end of the program
+    MPI_Request request = MPI_REQUEST_NULL;
+    MPI_Isend(kept->data(), static_cast<int>(kept->size()), MPI_BYTE, peer_rank, cry_tag,
+              world.inter, &request);
+    const Deadline deadline(reading_s);
+    Backoff backoff;
+    for (int done = 0; !deadline.expired(); backoff.pause()) {
+      MPI_Test(&request, &done, MPI_STATUS_IGNORE);
+    }
+    let_print();
+  } catch (const std::exception&) {  // this program ends in any case
+  }
 }
 
 }  // namespace powderlink::bridge

@@ -21,7 +21,7 @@ std::string list_of(const std::set<std::string>& roles) {
 
 BridgeError not_two_roles(const std::set<std::string>& roles) {
   return {BridgeError::Kind::bad_input, "programs in this mpirun", list_of(roles),
-          "two roles, e.g. dem and solver",
+          "at most two roles, e.g. dem and solver",
           "start both in one mpirun, separated by ' : ', or couple them by a socket"};
 }
 
@@ -91,12 +91,6 @@ MpiWorld split_world_if_shared(const std::string& role, double timeout_s) {
   PMPI_Comm_rank(world.local, &world.rank);
   PMPI_Comm_size(world.local, &world.ranks);
   PMPI_Comm_remote_size(world.inter, &world.peer_ranks);
-  return world;
-}
-
-MpiWorld split_world(const std::string& role, double timeout_s) {
-  MpiWorld world = split_world_if_shared(role, timeout_s);
-  if (!holds_other_program(world)) throw not_two_roles({role});
   return world;
 }
 

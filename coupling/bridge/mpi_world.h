@@ -23,13 +23,10 @@ struct MpiWorld {
 };
 
 /// Collective over MPI_COMM_WORLD: every rank of both programs calls it right after MPI_Init, with the
-/// role of its program (at most 31 characters). The communicators live until MPI_Finalize.
-/// Throws on all ranks bad_input when there are not exactly two roles, timeout when the other program
+/// role of its program (at most 31 characters). The communicators live until MPI_Finalize. For a program
+/// alone, with or without mpirun, `local` is MPI_COMM_WORLD and `inter` stays MPI_COMM_NULL.
+/// Throws on all ranks bad_input when there are more than two roles, timeout when the other program
 /// does not call it. Works in a program that maps MPI_COMM_WORLD to its own half.
-MpiWorld split_world(const std::string& role, double timeout_s);
-
-/// The same for a program that also runs alone, with or without mpirun: when all ranks have one role,
-/// `local` is MPI_COMM_WORLD, `inter` stays MPI_COMM_NULL and nothing is an error.
 MpiWorld split_world_if_shared(const std::string& role, double timeout_s);
 
 inline bool holds_other_program(const MpiWorld& world) { return world.inter != MPI_COMM_NULL; }

@@ -266,7 +266,10 @@ const FrameView& Session::receive_any(const Deadline& deadline) {
     fail(e.what());
     throw;
   }
-  if (view_.kind == MessageKind::error) throw_peer_error(view_);
+  if (view_.kind == MessageKind::error) {
+    peer_failed_ = true;
+    throw_peer_error(view_);
+  }
   return view_;
 }
 
@@ -285,22 +288,6 @@ void Session::send_checked(Bytes& frame) {
   }
 }
 
-void Session::send(std::int64_t step, double time_s,
-                   const std::vector<std::pair<std::string, ColumnView>>& columns) {
-  FrameWriter writer(outgoing_);
-  writer.begin(MessageKind::fields, step, time_s);
-  for (const auto& [name, column] : columns) {
-    const FieldSpec* spec = find(mine_.offers, name);
-    if (!spec) {
-      throw BridgeError(Kind::bad_input, "sending field " + name, "not offered in the handshake",
-                        list_of(mine_.offers), "add it to what " + mine_.role + " offers");
-    }
-    writer.add(*spec, column);
-  }
-  writer.finish();
-  send_checked(outgoing_);
-}
-
 void Session::send_frame(Bytes& frame) { send_checked(frame); }
 
 const FrameView& Session::receive_frame() {
@@ -312,21 +299,6 @@ const FrameView& Session::receive_frame() {
   if (frame.kind != MessageKind::fields) {
     throw BridgeError(Kind::bad_frame, "message from " + peer_name(), "not fields", "fields",
                       "build both programs from the same release of powderlink");
-  }
-  return frame;
-}
-
-const FrameView& Session::receive() {
-  const FrameView& frame = receive_frame();
-  for (const FieldSlice& field : frame.fields) {
-    const FieldSpec* need = find(mine_.needs, field.name);
-    if (!need || !field.is(*need)) {
-      const BridgeError error =
-          no_fit("field " + std::string(field.name), describe(field.spec()), list_of(mine_.needs),
-                 "send only what the handshake agreed on");
-      fail(error.what());
-      throw error;
-    }
   }
   return frame;
 }
@@ -346,18 +318,18 @@ void Session::finish() {
 void Session::fail(const std::string& why) noexcept {
   if (!open_) return;
   open_ = false;
+  if (peer_failed_) {  // it waits for nothing but this
+    transport_->close();
+    return;
+  }
   try {
     constexpr double patience_s = 0.5;
     encode_text(outgoing_, MessageKind::error, why);
     transport_->send(outgoing_, Deadline(patience_s));
+    transport_->close_after_error();
   } catch (const std::exception&) {  // the other side is gone: nobody is left to be told
+    transport_->close();
   }
-  transport_->close();
-}
-
-void Session::abort(const std::string& why) noexcept {
-  open_ = false;
-  transport_->abort(why);
 }
 
 }  // namespace powderlink::bridge

@@ -56,24 +56,17 @@ class Session {
   const Hello& peer() const { return peer_; }
   double timeout_s() const { return timeout_s_; }
 
-  /// Sends columns of fields that this side offers. O(bytes).
-  void send(std::int64_t step, double time_s,
-            const std::vector<std::pair<std::string, ColumnView>>& columns);
-  /// The next fields; valid until the next call. Each is one of `needs`, as agreed. O(bytes).
-  /// Throws peer_failed with the message of the other side when that side reported an error.
-  const FrameView& receive();
-
-  /// For routing code: a frame that is already encoded.
+  /// Sends a frame that is encoded. O(bytes).
   void send_frame(Bytes& frame);
-  /// For routing code: like receive(), without comparing the fields with the agreement.
+  /// The next fields; valid until the next call. O(bytes). Throws peer_failed with the message of the
+  /// other side when that side reported an error, peer_lost when it has finished.
   const FrameView& receive_frame();
 
   /// Both sides call it after the last exchange: waits until the other one is done, too.
   void finish();
-  /// Tells the other side why this one stops, and closes. Call it before leaving on an error.
+  /// Tells the other side why this one stops, and closes. Call it before leaving on an error. Returns
+  /// when the other side has had the time to say so, within 1.5 s.
   void fail(const std::string& why) noexcept;
-  /// Transport::abort.
-  void abort(const std::string& why) noexcept;
 
  private:
   [[noreturn]] void throw_peer_error(const FrameView& frame) const;
@@ -87,6 +80,7 @@ class Session {
   double timeout_s_;
   bool open_ = true;
   bool peer_finished_ = false;
+  bool peer_failed_ = false;
   Bytes outgoing_;
   Bytes incoming_;
   FrameView view_;

@@ -5,10 +5,14 @@
 
 #include <sys/un.h>
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <future>
+#include <thread>
 
+#include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/local/stream_protocol.hpp>
 
@@ -64,16 +68,31 @@ std::string SocketAddress::text() const {
   return (host.find(':') == std::string::npos ? host : "[" + host + "]") + ":" + port;
 }
 
-ResolvedAddress resolve(const SocketAddress& address, asio::io_context& io) {
+ResolvedAddress resolve(const SocketAddress& address, const Deadline& deadline) {
   if (address.is_unix) return {asio::local::stream_protocol::endpoint(address.path), true};
-  boost::system::error_code error;
-  asio::ip::tcp::resolver resolver(io);
-  const auto found = resolver.resolve(address.host, address.port, error);
-  if (error || found.empty()) {
-    throw bad_address(address.text(),
-                      "a host that this machine can look up (" + error.message() + ")");
+  struct Answer {
+    boost::system::error_code error;
+    asio::ip::tcp::resolver::results_type found;
+  };
+  // The system's look-up has no limit of its own; one that is late is left to itself.
+  std::promise<Answer> promise;
+  std::future<Answer> future = promise.get_future();
+  std::thread([host = address.host, port = address.port, promise = std::move(promise)]() mutable {
+    Answer answer;
+    asio::io_context io;
+    answer.found = asio::ip::tcp::resolver(io).resolve(host, port, answer.error);
+    promise.set_value(std::move(answer));
+  }).detach();
+  if (future.wait_for(std::chrono::duration<double>(deadline.remaining_s())) !=
+      std::future_status::ready) {
+    throw deadline.error("the look-up of host " + address.host);
   }
-  const asio::ip::tcp::endpoint endpoint = *found.begin();
+  const Answer answer = future.get();
+  if (answer.error || answer.found.empty()) {
+    throw bad_address(address.text(),
+                      "a host that this machine can look up (" + answer.error.message() + ")");
+  }
+  const asio::ip::tcp::endpoint endpoint = *answer.found.begin();
   return {endpoint, endpoint.address().is_loopback()};
 }
 

@@ -6,7 +6,8 @@
 #include <string>
 
 #include <boost/asio/generic/stream_protocol.hpp>
-#include <boost/asio/io_context.hpp>
+
+#include "coupling/bridge/deadline.h"
 
 namespace powderlink::bridge {
 
@@ -28,8 +29,8 @@ struct ResolvedAddress {
   bool within_machine = false;  ///< Unix or loopback: no token needed
 };
 
-/// Looks the host up. Throws bad_input.
-ResolvedAddress resolve(const SocketAddress& address, boost::asio::io_context& io);
+/// Looks the host up. Throws bad_input, timeout.
+ResolvedAddress resolve(const SocketAddress& address, const Deadline& deadline);
 
 /// Readers see the old file or the whole new one. Throws bad_input.
 void write_rendezvous(const std::string& file, const SocketAddress& address);

@@ -38,7 +38,7 @@ void SocketStream::finish_part() {
   header_done_ = false;
 }
 
-bool SocketStream::read_some() {
+bool SocketStream::read_some(const Deadline& deadline) {
   const std::size_t whole_before = ready_.size();
   while (ready_.size() == whole_before) {
     boost::system::error_code error;
@@ -51,7 +51,10 @@ bool SocketStream::read_some() {
                                   : "ended by the other side (" + error.message() + ")");
     }
     have_ += got;
-    if (have_ < part_.size()) continue;
+    if (have_ < part_.size()) {
+      if (deadline.expired()) return false;  // an end that never stops sending
+      continue;
+    }
     if (!header_done_) {
       header_done_ = true;
       const std::uint64_t bytes = frame_bytes(part_, limits_);
@@ -76,10 +79,10 @@ void SocketStream::send(Bytes& frame, const Deadline& deadline) {
       constexpr std::size_t most_frames_ahead = 64;
       const bool reads = ready_.size() < most_frames_ahead;
       const short events = reads ? POLLIN | POLLOUT : POLLOUT;
-      if (!wait_for(socket_.native_handle(), events, deadline)) {
+      if (deadline.expired() || !wait_for(socket_.native_handle(), events, deadline)) {
         throw deadline.error("room to send to " + peer_);
       }
-      if (reads) read_some();
+      if (reads) read_some(deadline);
       continue;
     }
     if (error == asio::error::interrupted) continue;
@@ -92,10 +95,10 @@ void SocketStream::receive(Bytes& frame, const Deadline& deadline) {
   // An answer within microseconds is met awake; anything longer sleeps in poll().
   constexpr int awake_tries = 50;
   for (int tries = 0; ready_.empty(); ++tries) {
-    if (read_some()) break;
+    if (read_some(deadline)) break;
     if (tries < awake_tries) {
       sched_yield();
-    } else if (!wait_for(socket_.native_handle(), POLLIN, deadline)) {
+    } else if (deadline.expired() || !wait_for(socket_.native_handle(), POLLIN, deadline)) {
       throw deadline.error("a frame from " + peer_);
     }
   }

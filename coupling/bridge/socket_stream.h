@@ -24,12 +24,14 @@ class SocketStream {
 
   void send(Bytes& frame, const Deadline& deadline);
   void receive(Bytes& frame, const Deadline& deadline);
+  /// Largest frame to come: small as long as the other end may be anybody.
+  void set_limits(const FrameLimits& limits) { limits_ = limits; }
   const std::string& peer() const { return peer_; }
   void close() noexcept;
 
  private:
-  /// Reads what is there, at most until one more frame is whole. False: nothing there now.
-  bool read_some();
+  /// Reads what is there, at most until one more frame is whole. False: nothing there now, or late.
+  bool read_some(const Deadline& deadline);
   void finish_part();
 
   Socket socket_;

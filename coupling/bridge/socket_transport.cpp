@@ -57,7 +57,7 @@ class Listener {
         rendezvous_file_(options.rendezvous_file),
         io_(io),
         acceptor_(io) {
-    const ResolvedAddress resolved = resolve(address_, io);
+    const ResolvedAddress resolved = resolve(address_, Deadline(options.timeout_s));
     demand_token(address_, resolved.within_machine, options.token);
     if (address_.is_unix) remove_stale_path(resolved.endpoint);
     try {
@@ -159,6 +159,13 @@ class Listener {
 
 constexpr double greeting_patience_s = 1.0;
 
+/// Of a client that has not been let in: a greeting with its token.
+FrameLimits limits_of_strangers() {
+  FrameLimits limits;
+  limits.frame_bytes = std::uint64_t{1} << 16;
+  return limits;
+}
+
 /// Tells a client why it is sent away, and lets it read that before the line is cut.
 void send_away(SocketStream& stream, const std::string& why) noexcept {
   try {
@@ -166,8 +173,8 @@ void send_away(SocketStream& stream, const std::string& why) noexcept {
     Bytes frame;
     encode_text(frame, MessageKind::error, why);
     stream.send(frame, deadline);
-    while (true) stream.receive(frame, deadline);  // until it hangs up
-  } catch (const std::exception&) {                // it has hung up, or is no client of ours
+    while (!deadline.expired()) stream.receive(frame, deadline);  // until it hangs up
+  } catch (const std::exception&) {  // it has hung up, or is no client of ours
   }
   stream.close();
 }
@@ -206,6 +213,7 @@ class Doorman {
       try {
         if (auto socket = listener_->accept(Deadline(0.0))) {
           SocketStream stream(std::move(*socket), "a second client");
+          stream.set_limits(limits_of_strangers());
           send_away(stream,
                     "connection to " + listener_->text() +
                         "; given: a second client; allowed: one client per run; to do: end the "
@@ -240,15 +248,6 @@ class SocketTransport : public Transport {
     doorman_.reset();
     stream_.close();
   }
-  void abort(const std::string& why) noexcept override {
-    try {
-      Bytes frame;
-      encode_text(frame, MessageKind::error, why);
-      stream_.send(frame, Deadline(0.5));
-    } catch (const std::exception&) {  // the other side is gone already
-    }
-    close();
-  }
 
  private:
   std::unique_ptr<asio::io_context> io_;
@@ -263,6 +262,7 @@ bool greet_client(SocketStream& stream, const std::string& token, const Deadline
   Bytes frame;
   FrameView view;
   try {
+    stream.set_limits(limits_of_strangers());
     stream.receive(frame, deadline);
     decode(frame, view);
     if (view.kind != MessageKind::greeting) {
@@ -275,6 +275,7 @@ bool greet_client(SocketStream& stream, const std::string& token, const Deadline
     } else {
       encode_text(frame, MessageKind::accepted, {});
       stream.send(frame, deadline);
+      stream.set_limits({});
       return true;
     }
   } catch (const BridgeError& e) {
@@ -346,6 +347,7 @@ std::unique_ptr<Transport> listen_on_socket(const SocketOptions& options) {
     }
     sent_away += (sent_away.empty() ? "" : ", ") + why;
     if (sent_away.size() > 500) sent_away = "many clients, the last one " + why;
+    if (deadline.expired()) break;  // however many more are at the door
   }
   throw deadline.error("a client on " + listener->text() +
                        (sent_away.empty() ? "" : " (sent away: " + sent_away + ")"));
@@ -368,7 +370,7 @@ std::unique_ptr<Transport> connect_to_socket(const SocketOptions& options) {
       why = "rendezvous file " + options.rendezvous_file + " does not exist";
     }
     if (address.is_unix || !address.host.empty()) {
-      const ResolvedAddress resolved = resolve(address, *io);
+      const ResolvedAddress resolved = resolve(address, deadline);
       demand_token(address, resolved.within_machine, options.token);
       Socket socket(*io);
       if (try_connect(socket, resolved.endpoint, deadline, why)) {

@@ -9,7 +9,8 @@
 /// transport lives. A Unix socket belongs to the user alone (mode 0600). TCP stays on loopback unless
 /// both sides give the same token; the token keeps strangers out of a run by mistake or scan, but
 /// travels in clear text: use it within a network that you trust.
-/// Nothing waits longer than the timeout. A peer that dies is noticed at once (end of file, reset).
+/// Nothing waits longer than the timeout, also for the look-up of a host or a client that never stops
+/// sending; who has not given the token yet may send 64 KiB. A peer that dies is noticed at once (end of file, reset).
 #pragma once
 
 #include <memory>

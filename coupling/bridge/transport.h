@@ -5,7 +5,7 @@
 /// A transport joins exactly two processes and carries whole frames, in order, both ways. Both may
 /// send at once, also large frames: a transport reads on while it waits to write.
 /// Errors are BridgeError: timeout, peer_lost (the other end closed or died), bad_frame (a stream that
-/// does not hold frames). After one of them only close(), abort() and destruction are allowed.
+/// does not hold frames). After one of them only close(), close_after_error() and destruction are allowed.
 /// Not thread-safe: one thread per transport.
 #pragma once
 
@@ -33,9 +33,9 @@ class Transport {
   virtual const std::string& peer() const = 0;
   /// The other end reads what was sent before, then gets peer_lost. May be called twice.
   virtual void close() noexcept = 0;
-  /// Ends the whole job as far as the transport can: MPI stops all ranks of both programs; a socket
-  /// tells the other end why and closes, the caller then ends its own program.
-  virtual void abort(const std::string& why) noexcept = 0;
+  /// close() after the last frame told why: returns when the other end has had the time to say so
+  /// itself, within 1 s. Over MPI the end of this program is the end of both.
+  virtual void close_after_error() noexcept { close(); }
 
  protected:
   Transport() = default;

@@ -53,15 +53,6 @@ inline ForceTerms& operator+=(ForceTerms& a, const ForceTerms& b) {
   return a;
 }
 
-/// F + K (u - v) at the velocities given [N]; without the added mass's reaction.
-inline Vec3 total_force_N(const ForceTerms& t, const FluidState& f, const ParticleState& p) {
-  return sum(t.force_N, scaled(t.drag_kg_s, slip_velocity_m_s(f, p)));
-}
-/// T + K_r Omega at the spins given [N m].
-inline Vec3 total_torque_Nm(const ForceTerms& t, const FluidState& f, const ParticleState& p) {
-  return sum(t.torque_Nm, scaled(t.rotational_drag_Nms, slip_spin_rad_s(f, p)));
-}
-
 enum class MomentumModel { A, B };
 
 struct ForceSettings {

@@ -59,6 +59,7 @@ int main(int argc, char *argv[])
 
     #include "addCheckCaseOptions.H"
     #include "setRootCaseLists.H"
+    mpiWorld::meet();
     #include "createTime.H"
     #include "createMesh.H"
     #include "createControl.H"

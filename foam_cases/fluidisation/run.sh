@@ -47,5 +47,5 @@ foam_case_result fixed_drop Pa "$fixed_drop" "$(awk -v a="$least" -v b="$most" '
 foam_case_result fluidised_drop Pa "$drop" "$weight" 0.03 \
   "weight less buoyancy of the spheres per area, 0.020 m/s"
 foam_case_result fluidised_height 1 "$(awk -v a="$height" -v b="$settled_height" 'BEGIN { printf "%.6f", a/b }')" \
-  "$expansion" 0.1 "even expansion to where Gidaspow's drag carries the spheres"
+  "$expansion" 0.03 "even expansion to where Gidaspow's drag carries the spheres"
 foam_case_write fluidisation

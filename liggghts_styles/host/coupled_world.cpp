@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "host/coupled_world.h"
 
+#include "coupling/bridge/coupling_link.h"
+
 namespace powderlink::host {
 
 namespace {
@@ -19,5 +21,7 @@ void set_coupled_world(const bridge::MpiWorld& world) { world_of_process() = wor
 
 bool has_met_other_program() { return met; }
 void note_other_program_met() { met = true; }
+
+void say_last_words(const std::string& why) { bridge::say_last_words(why); }
 
 }  // namespace powderlink::host

@@ -12,11 +12,13 @@
 /// of an operator split: forces of the script (contacts, weight) act in the integrator beside it, so
 /// a terminal velocity under weight in LIGGGHTS is x/2 (relative) above the exact one for small x.
 /// a and d hold as long as K, u, F and M do, so they are made once per exchange.
-/// Source: K, u, F as in coupling/forces/semi_implicit_step.h (exponential Euler).
-/// Tests: tests/host/fluid_relaxation_test.cpp
+/// Source: coupling/forces/semi_implicit_step.h, the same step (exponential Euler).
+/// Tests: tests/host/fluid_relaxation_test.cpp; on falling spheres tests/forces/settling_test.cpp
 #pragma once
 
 #include <cmath>
+
+#include "coupling/forces/semi_implicit_step.h"
 
 namespace powderlink::host {
 
@@ -30,7 +32,7 @@ inline FluidRelaxation fluid_relaxation(double k, const double* u, const double*
   FluidRelaxation step;
   const double x = k * dt / mass;
   const double gain = -std::expm1(-x);  // 1 - a
-  const double phi = x > 0.0 ? gain / x : 1.0;
+  const double phi = forces::relaxation_mean(x);
   step.a = std::exp(-x);
   for (int c = 0; c < 3; ++c) step.d[c] = gain * u[c] + phi * dt / mass * force[c];
   return step;

@@ -14,6 +14,7 @@
 
 #include "coupling/bridge/mpi_world.h"
 #include "host/coupled_world.h"
+#include "plugin/liggghts_errors.h"
 #include "plugin/styles.h"
 
 namespace {
@@ -55,8 +56,10 @@ bool asks_for_help(int argc, char** argv) {
 
 }  // namespace
 
-// LIGGGHTS ends on errors by MPI_Finalize, which waits for the other program of a coupled job.
+// LIGGGHTS ends on errors by MPI_Finalize, which waits for the other program of a coupled job. That one
+// is told why; after an orderly end no link is open any more.
 extern "C" int MPI_Finalize() {
+  powderlink::host::say_last_words(powderlink::plugin::last_liggghts_error());
   if (shared_job) {
     MPI_Abort(MPI_COMM_WORLD, 1);
   }
@@ -69,6 +72,7 @@ extern "C" int MPI_Finalize() {
 // is always noticed, and ends the job.
 extern "C" int MPI_Abort(MPI_Comm, int code) {
   std::fflush(nullptr);
+  powderlink::host::say_last_words(powderlink::plugin::last_liggghts_error());
   std::_Exit(code == 0 ? 1 : code);
 }
 

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <unistd.h>
+#include <zlib.h>
+
 #include <cstdint>
 
 #include "analysis/restart/checkpoints.h"
@@ -83,6 +86,59 @@ TEST_F(Restart, HalfWrittenFields) {
   expect_last("0.02", 100000, "0.03/phi is empty");
   fs::remove(folder_.path() / "0.03/phi");
   expect_last("0.02", 100000, "0.03/phi is missing");
+}
+
+/// Of what gzip makes of a text.
+std::string compressed(const std::string& text) {
+  const fs::path file = fs::temp_directory_path() / fmt::format("restart_test.{}.gz", ::getpid());
+  const gzFile out = gzopen(file.c_str(), "wb");
+  gzwrite(out, text.data(), static_cast<unsigned>(text.size()));
+  gzclose(out);
+  std::string bytes = read_file(file);
+  fs::remove(file);
+  return bytes;
+}
+
+TEST_F(Restart, CompressedFieldsAreReadToTheirEnd) {
+  // Numbers that do not compress to nothing, longer than a block of the reader.
+  std::string field = "FoamFile {}\n";
+  for (unsigned i = 1; i < 20000; ++i) field += fmt::format("{}\n", i * 2654435761U);
+  const std::string whole = compressed(field + kClosed);
+  ASSERT_GT(whole.size(), std::size_t{1} << 16);
+  fs::remove(folder_.path() / "0.03/phi");
+  const auto phi = [&](const std::string& bytes) { write_in(folder_, "0.03/phi.gz", bytes); };
+
+  phi(whole);
+  expect_last("0.03", 150000, "");
+  for (const std::size_t bytes : {std::size_t{19}, whole.size() / 2, whole.size() - 1}) {
+    phi(whole.substr(0, bytes));
+    expect_last("0.02", 100000, "0.03/phi breaks off: it cannot be decompressed");
+  }
+  std::string damaged = whole;
+  damaged[whole.size() / 2] = static_cast<char>(damaged[whole.size() / 2] ^ 1);
+  phi(damaged);
+  expect_last("0.02", 100000, "0.03/phi breaks off: it cannot be decompressed");
+  phi(field + kClosed);  // nothing that OpenFOAM would write under this name
+  expect_last("0.02", 100000, "0.03/phi breaks off: it cannot be decompressed");
+  phi(compressed(field));
+  expect_last("0.02", 100000, "0.03/phi breaks off: OpenFOAM's last line");
+}
+
+TEST_F(Restart, RestartFilesMayBeginAsTheFixSays) {
+  fs::create_directories(folder_.path() / "checkpoints");
+  for (const int k : {1, 2}) {
+    fs::rename(folder_.path() / fmt::format("post/restart.{}", 50000 * k),
+               folder_.path() / fmt::format("checkpoints/bed_{}", 50000 * k));
+  }
+  const Checkpoints found = find_checkpoints(folder_.path(), {}, "checkpoints/bed_");
+  ASSERT_TRUE(found.last);
+  EXPECT_EQ(found.last->dem.step, 100000);
+  ASSERT_EQ(found.refused().size(), 1U);
+  EXPECT_NE(found.refused()[0].find("no checkpoints/bed_150000"), std::string::npos);
+  prepare_restart(folder_.path(), found);
+  EXPECT_EQ(fs::read_symlink(folder_.path() / "checkpoints/bed_latest"), "bed_100000");
+  expect_refusal([&] { require_checkpoints(folder_.path(), {}, "other/"); },
+                 {"no other/50000", "--checkpoint PREFIX"});
 }
 
 TEST_F(Restart, HalfWrittenOrForeignRestartFiles) {

@@ -307,7 +307,6 @@ int late(const MpiWorld& world) {
   } else {
     std::this_thread::sleep_for(std::chrono::milliseconds(1000));
   }
-  bridge::MpiTransport(world).abort("end of the test");
   return 1;
 }
 
@@ -327,7 +326,7 @@ int run(const std::string& role, const std::string& task, const std::string& fol
     std::this_thread::sleep_for(std::chrono::milliseconds(2000));
     return 1;
   }
-  const MpiWorld world = bridge::split_world(role, 1.0 + timeout_s * (task != "present"));
+  const MpiWorld world = bridge::split_world_if_shared(role, 1.0 + timeout_s * (task != "present"));
   if (task == "conformance") return conformance(world);
   if (task == "exchange") return exchange(world, folder);
   if (task == "steady") return steady(world);
@@ -335,10 +334,6 @@ int run(const std::string& role, const std::string& task, const std::string& fol
   if (task == "other_case") return other_case(world);
   if (task == "late") return late(world);
   if (task == "killed") return killed(world);
-  if (task == "abort") {
-    if (is_dem(world)) bridge::MpiTransport(world).abort("the test wants it");
-    std::this_thread::sleep_for(std::chrono::seconds(30));
-  }
   return 2;
 }
 

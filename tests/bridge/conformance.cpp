@@ -173,7 +173,7 @@ void damage_second(TransportPtr transport) {
   hello.role = "solver";
   hello.case_name = "pipe";
   Session session(std::move(transport), hello, patience_s);
-  require_none(failure_of([&] { session.receive(); }, Kind::bad_frame, "checksum"));
+  require_none(failure_of([&] { session.receive_frame(); }, Kind::bad_frame, "checksum"));
 }
 
 Hello hello_of(const std::string& role) {
@@ -184,6 +184,16 @@ Hello hello_of(const std::string& role) {
   return {role, "pipe", dem ? 1 : 2, 1e-5, {dem ? velocity : force}, {dem ? force : velocity}};
 }
 
+void send_field(Session& session, std::int64_t step, const bridge::FieldSpec& spec,
+                const std::vector<double>& values) {
+  Bytes frame;
+  bridge::FrameWriter writer(frame);
+  writer.begin(bridge::MessageKind::fields, step, 1e-5 * double(step));
+  writer.add(spec, bridge::ColumnView(values.data(), values.size() / 3));
+  writer.finish();
+  session.send_frame(frame);
+}
+
 // A whole run: handshake, exchanges, goodbye.
 void run_first(TransportPtr transport) {
   Session session(std::move(transport), hello_of("dem"), patience_s);
@@ -191,9 +201,8 @@ void run_first(TransportPtr transport) {
   std::vector<double> velocity(300);
   for (int step = 0; step < 20; ++step) {
     for (std::size_t i = 0; i < velocity.size(); ++i) velocity[i] = step + 0.5 * double(i);
-    session.send(step, 1e-5 * step,
-                 {{"velocity", bridge::ColumnView(velocity.data(), velocity.size() / 3)}});
-    const bridge::FrameView& answer = session.receive();
+    send_field(session, step, session.mine().offers[0], velocity);
+    const bridge::FrameView& answer = session.receive_frame();
     require(answer.step == step, "wrong step");
     const auto force = answer.find("force")->values<double>();
     for (std::size_t i = 0; i < force.size(); ++i) {
@@ -205,11 +214,10 @@ void run_first(TransportPtr transport) {
 void run_second(TransportPtr transport) {
   Session session(std::move(transport), hello_of("solver"), patience_s);
   for (int step = 0; step < 20; ++step) {
-    const bridge::FrameView& frame = session.receive();
+    const bridge::FrameView& frame = session.receive_frame();
     auto values = frame.find("velocity")->values<double>();
     for (double& value : values) value *= 2.0;
-    session.send(frame.step, frame.time_s,
-                 {{"force", bridge::ColumnView(values.data(), values.size() / 3)}});
+    send_field(session, frame.step, session.mine().offers[0], values);
   }
   session.finish();
 }
@@ -254,7 +262,7 @@ void failing_first(TransportPtr transport) {
 }
 void failing_second(TransportPtr transport) {
   Session session(std::move(transport), hello_of("solver"), patience_s);
-  require_none(failure_of([&] { session.receive(); }, Kind::peer_failed, "a full disk"));
+  require_none(failure_of([&] { session.receive_frame(); }, Kind::peer_failed, "a full disk"));
 }
 
 // A program that simply ends (an exception, say) does not leave the other one waiting.
@@ -263,7 +271,8 @@ void leaving_first(TransportPtr transport) {
 }
 void leaving_second(TransportPtr transport) {
   Session session(std::move(transport), hello_of("solver"), patience_s);
-  require_none(failure_of([&] { session.receive(); }, Kind::peer_failed, "without saying goodbye"));
+  require_none(
+      failure_of([&] { session.receive_frame(); }, Kind::peer_failed, "without saying goodbye"));
 }
 
 }  // namespace

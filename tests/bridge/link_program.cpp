@@ -2,8 +2,11 @@
 // link_program ROLE TASK mpi|socket [FOLDER]: one host of a coupled job; link_test.cpp starts it.
 #include <mpi.h>
 
+#include <chrono>
 #include <cstdio>
+#include <cstdlib>
 #include <stdexcept>
+#include <thread>
 
 #include "coupling/bridge/coupling_fields.h"
 #include "coupling/bridge/coupling_link.h"
@@ -105,6 +108,13 @@ int dem(const Task& task) {
       say(task, "failed");
       return 0;
     }
+    if ((task.is("dem_dies") || task.is("dem_rank_dies")) && round == 2) {
+      // As a host whose own errors end it: on all ranks at once, or on one that nobody waits for.
+      if (task.is("dem_rank_dies") && task.link.world.rank == 0)
+        std::this_thread::sleep_for(std::chrono::seconds(30));
+      bridge::say_last_words("dem: lost atoms; given: a; allowed: b; to do: c");
+      std::_Exit(3);
+    }
     if (task.is("dem_rank_fails") && round == 2 && task.link.world.rank == 1) {
       destination.front() = 77;
     }
@@ -139,6 +149,12 @@ int solver(const Task& task) {
   for (int round = 0; link.receive_particles(); ++round) {
     const bridge::ParticleTable& table = link.particles();
     require(table.step == round && table.time_s == round * interval_s, "step");
+    if (task.is("solver_rank_fails") && round == 2) {
+      // An error that the other ranks do not know of, until the job ends.
+      if (task.link.world.rank == 0) std::this_thread::sleep_for(std::chrono::seconds(30));
+      link.fail("solver: diverged; given: a; allowed: b; to do: c");
+      std::_Exit(3);
+    }
     if (task.is("solver_fails") && round == 2) {
       link.fail("solver: diverged; given: a; allowed: b; to do: c");
       say(task, "failed");
@@ -188,6 +204,14 @@ int dispatch(const Task& task) {
   if (task.is("interval")) return expect(task, Kind::mismatch, "interval between exchanges");
   if (task.is("dem_fails") && !task.is_dem()) return expect(task, Kind::peer_failed, "grain lost");
   if (task.is("solver_fails") && task.is_dem()) return expect(task, Kind::peer_failed, "diverged");
+  if ((task.is("dem_dies") || task.is("dem_rank_dies")) && !task.is_dem()) {
+    expect(task, Kind::peer_failed, "its error: dem: lost atoms");
+    std::_Exit(4);
+  }
+  if (task.is("solver_rank_fails") && task.is_dem()) {
+    expect(task, Kind::peer_failed, "its error: solver: diverged");
+    std::_Exit(4);
+  }
   if (task.is("dem_leaves") && !task.is_dem()) {
     return expect(task, Kind::peer_failed, "dem ended without saying goodbye");
   }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 #include <tuple>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -92,6 +93,18 @@ TEST(Link, AnErrorOfOneRankIsKnownToAllOfItsProgram) {
   EXPECT_NE(run.status, 0);
   EXPECT_LT(run.wall_s, 8.0) << run.output;
   EXPECT_TRUE(run.says("dem 0: told") && run.says("dem 1: told")) << run.output;
+}
+
+TEST(Link, AProgramThatEndsByItselfSaysWhyOnBothSidesWithinFiveSeconds) {
+  const double orderly_s = job(2, 2, "mpi", "go").wall_s;  // start and end of a job on this machine
+  for (const auto& [task, told] : {std::pair("dem_dies", "solver 0: told"),
+                                   {"dem_rank_dies", "solver 0: told"},
+                                   {"solver_rank_fails", "dem 0: told"}}) {
+    const Outcome run = job(2, 2, "mpi", task);
+    EXPECT_NE(run.status, 0) << task;
+    EXPECT_LT(run.wall_s, orderly_s + 5.0) << task << run.output;
+    EXPECT_TRUE(run.says(told)) << task << run.output;
+  }
 }
 
 TEST(Link, AProgramAloneIsToldHowToCouple) {

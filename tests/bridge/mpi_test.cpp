@@ -76,19 +76,6 @@ TEST(Mpi, AKilledProgramEndsBothWithinFiveSeconds) {
   EXPECT_LT(run.wall_s, 5.0) << run.output;
 }
 
-TEST(Mpi, AbortEndsBothWithinFiveSeconds) {
-  const Outcome run = coupled(1, 2, "abort");
-  EXPECT_NE(run.status, 0);
-  EXPECT_LT(run.wall_s, 5.0) << run.output;
-  EXPECT_TRUE(run.says("the test wants it")) << run.output;
-}
-
-TEST(Mpi, ASingleProgramIsToldToStartTheOther) {
-  const Outcome run = mpirun(program(2, "dem", "exchange"));
-  EXPECT_NE(run.status, 0);
-  EXPECT_TRUE(run.says("given: dem; allowed: two roles")) << run.output;
-}
-
 TEST(Mpi, AProgramThatDoesNotCoupleIsNoticedAtTheTimeout) {
   const Outcome run = mpirun(program(1, "dem", "present") + " : " + program(1, "solver", "absent"));
   EXPECT_NE(run.status, 0);

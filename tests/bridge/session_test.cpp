@@ -157,32 +157,6 @@ TEST(Session, ASilentPeerEndsAtTheTimeout) {
                            "nothing within 0.1 s"));
 }
 
-TEST(Session, OnlyAgreedFieldsTravel) {
-  auto ends = bridge::memory_transport_pair();
-  const std::vector<double> values(3);
-  std::thread peer([&] {
-    Session session(std::move(ends.second), solver(), 5.0);
-    EXPECT_EQ("", failure_of([&] { session.receive(); }, Kind::mismatch, "other [m/s]"));
-  });
-  {
-    Session session(std::move(ends.first), dem(), 5.0);
-    EXPECT_EQ("", failure_of(
-                      [&] {
-                        session.send(0, 0.0, {{"mass", bridge::ColumnView(values.data(), 1)}});
-                      },
-                      Kind::bad_input, "mass"));
-    bridge::Bytes frame;
-    bridge::FrameWriter writer(frame);
-    writer.begin(bridge::MessageKind::fields, 0, 0.0);
-    writer.add({"other", "m/s", bridge::vector3, bridge::ElementType::float64},
-               bridge::ColumnView(values.data(), 1));
-    writer.finish();
-    session.send_frame(frame);
-    EXPECT_EQ("", failure_of([&] { session.receive(); }, Kind::peer_failed, "other [m/s]"));
-  }
-  peer.join();
-}
-
 TEST(Session, TextOfThePeerCannotSteerATerminal) {
   auto ends = bridge::memory_transport_pair();
   bridge::Bytes frame;
@@ -199,7 +173,7 @@ TEST(Session, ThePeerThatFinishedFirstIsNamed) {
     session.finish();
   });
   Session session(std::move(ends.first), dem(), 5.0);
-  EXPECT_EQ("", failure_of([&] { session.receive(); }, Kind::peer_lost, "finished"));
+  EXPECT_EQ("", failure_of([&] { session.receive_frame(); }, Kind::peer_lost, "finished"));
   session.finish();
   peer.join();
 }

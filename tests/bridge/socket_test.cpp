@@ -2,11 +2,17 @@
 // What only sockets can do wrong: addresses, tokens, second clients, and programs that are killed.
 #include "coupling/bridge/socket_transport.h"
 
+#include <dlfcn.h>
+#include <netdb.h>
 #include <signal.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <atomic>
+#include <cerrno>
+#include <cstring>
 #include <fstream>
 #include <future>
 #include <thread>
@@ -19,6 +25,36 @@
 #include "tests/bridge/fails.h"
 #include "tests/bridge/sample_frames.h"
 #include "tests/bridge/temporary_folder.h"
+
+/// The system's look-up, slow for one host.
+extern "C" int getaddrinfo(const char* host, const char* port, const addrinfo* hints,
+                           addrinfo** found) {
+  if (host != nullptr && std::string(host) == "slow.invalid") usleep(1500000);
+  using Function = int (*)(const char*, const char*, const addrinfo*, addrinfo**);
+  static const auto next = reinterpret_cast<Function>(dlsym(RTLD_NEXT, "getaddrinfo"));
+  return next(host, port, hints, found);
+}
+
+namespace {
+
+std::atomic<bool> flooding{false};
+std::size_t flood_sent = 0;
+powderlink::bridge::Bytes flood_frame;
+
+}  // namespace
+
+/// A socket that has nothing to read has more of the flood, while there is one.
+extern "C" ssize_t recv(int socket, void* into, size_t room, int flags) {
+  using Function = ssize_t (*)(int, void*, size_t, int);
+  static const auto next = reinterpret_cast<Function>(dlsym(RTLD_NEXT, "recv"));
+  const ssize_t got = next(socket, into, room, flags);
+  if (got >= 0 || errno != EAGAIN || !flooding) return got;
+  const std::size_t at = flood_sent % flood_frame.size();
+  const std::size_t more = std::min(room, flood_frame.size() - at);
+  std::memcpy(into, flood_frame.data() + at, more);
+  flood_sent += more;
+  return static_cast<ssize_t>(more);
+}
 
 namespace powderlink::test {
 namespace {
@@ -171,7 +207,7 @@ TEST_P(Sockets, AnotherVersionIsToldToBothSides) {
   while (!bridge::read_rendezvous(folder_.path() + "/meet", address)) usleep(1000);
   boost::asio::io_context io;
   boost::asio::generic::stream_protocol::socket socket(io);
-  socket.connect(bridge::resolve(address, io).endpoint);
+  socket.connect(bridge::resolve(address, Deadline(5.0)).endpoint);
   Bytes frame;
   bridge::encode_text(frame, bridge::MessageKind::greeting, "");
   frame[12] = std::byte{9};
@@ -198,13 +234,74 @@ TEST_P(Sockets, NoiseAtTheDoorDoesNotEndTheWait) {
   {
     boost::asio::io_context io;
     boost::asio::generic::stream_protocol::socket socket(io);
-    socket.connect(bridge::resolve(address, io).endpoint);
+    socket.connect(bridge::resolve(address, Deadline(5.0)).endpoint);
     const std::string noise(1000, 'x');
     boost::system::error_code error;
     socket.write_some(boost::asio::buffer(noise), error);
   }
   EXPECT_NO_THROW(connect_to_socket(client()));
   EXPECT_NO_THROW(listening.get());
+}
+
+/// A client that has always sent one more frame of the same.
+class Flood {
+ public:
+  Flood(const std::string& meet, bool small_frames) : socket_(io_) {
+    if (small_frames) {
+      bridge::encode_text(flood_frame, bridge::MessageKind::greeting, "wrong");
+    } else {
+      bridge::Field large({"large", "1", bridge::scalar, bridge::ElementType::float64});
+      large.resize(1000000);
+      encode(flood_frame, {large});
+    }
+    bridge::SocketAddress address;
+    while (!bridge::read_rendezvous(meet, address)) usleep(1000);
+    socket_.connect(bridge::resolve(address, Deadline(5.0)).endpoint);
+    flood_sent = 0;
+    flooding = true;
+  }
+  ~Flood() { flooding = false; }
+
+ private:
+  boost::asio::io_context io_;
+  boost::asio::generic::stream_protocol::socket socket_;
+};
+
+TEST_P(Sockets, AFloodOfFramesDoesNotHoldTheListenerBeyondItsTimeout) {
+  for (const bool small_frames : {true, false}) {
+    auto listening = std::async(std::launch::async, [this] {
+      return failure_of([&] { listen_on_socket(listener(1.0)); }, Kind::timeout, "sent away");
+    });
+    const Flood flood(folder_.path() + "/meet", small_frames);
+    // Its timeout, and the patience with a client that is sent away.
+    EXPECT_EQ(listening.wait_for(std::chrono::milliseconds(2500)), std::future_status::ready);
+    flooding = false;
+    EXPECT_EQ("", listening.get());
+  }
+}
+
+TEST_P(Sockets, AFloodOfFramesDoesNotHoldTheDoorOfARunThatEnds) {
+  for (const bool small_frames : {true, false}) {
+    auto [listening, connected] = pair();
+    const Flood flood(folder_.path() + "/meet", small_frames);
+    usleep(200000);
+    auto closing = std::async(std::launch::async, [&ends = listening] { ends->close(); });
+    EXPECT_EQ(closing.wait_for(std::chrono::milliseconds(1500)), std::future_status::ready);
+    flooding = false;
+  }
+}
+
+TEST(SocketAddresses, ASlowLookUpEndsAtTheTimeout) {
+  const auto start = Deadline::Clock::now();
+  for (const bool listens : {true, false}) {
+    EXPECT_EQ("", failure_of(
+                      [&] {
+                        const SocketOptions options{"slow.invalid:80", "", "token", 0.3};
+                        listens ? listen_on_socket(options) : connect_to_socket(options);
+                      },
+                      Kind::timeout, "the look-up of host slow.invalid"));
+  }
+  EXPECT_LT(seconds(start), 1.2);
 }
 
 TEST(SocketAddresses, AreReadAndWritten) {

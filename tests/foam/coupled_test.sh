@@ -107,10 +107,10 @@ error_text() {  # what, texts
     grep -qF -- "$text" log || failed "$what: the message lacks '$text'"
   done
 }
-refused() {  # what, texts that the message must hold
+refused() {  # what, texts that the message must hold; words for the DEM in dem_words
   local what=$1 code=0
   shift
-  limit_s=30 mpi 1 1 grid=2 || code=$?
+  limit_s=30 mpi 1 1 grid=2 ${dem_words:-} || code=$?
   [[ $code != 0 && $code != 124 ]] || failed "$what: exit status $code"
   error_text "$what" "$@"
   solver_is_silent || failed "$what: fields were written"
@@ -322,6 +322,12 @@ FIELDS
     done
     ;;
   full_disk)
+    # Files that cannot be looked at.
+    new_case collated
+    code=0
+    FOAM_FILEHANDLER=collated mpi 1 2 || code=$?
+    [[ $code != 0 && $code != 124 ]] || failed "collated files: status $code"
+    error_text "collated files" "file handler of a coupled run" "given:   collated" "uncollated"
     # Of both kinds: a file that breaks off in the middle, and one that lacks its last bytes only, which
     # OpenFOAM does not notice. Both programs stop, and the DEM is not told to make its part of a pair.
     new_case enough
@@ -342,6 +348,32 @@ FIELDS
       done
       unset limit_blocks
     done
+    ;;
+  post_process)
+    # Function objects on a run of before, which has nobody to couple with, over either transport.
+    new_case run
+    run
+    for transport in mpi socket; do
+      change transport $transport
+      timeout 20 "$bin/powderFoam" -postProcess -func 'mag(U)' >log.post 2>&1 ||
+        failed "$transport: status $? of -postProcess"
+      [[ -s 0.0004/mag\(U\) && -s 0/mag\(U\) ]] || { failed "$transport: no mag(U)"; tail -n 20 log.post >&2; }
+      ! grep -qi warning log.post || failed "$transport: warnings of -postProcess"
+      [[ ! -e bridge.address ]] || failed "$transport: an address was published"
+      rm -f {0,0.0004}/mag\(U\)
+    done
+    ;;
+  slow_start)
+    # The first thing that powderFoam does, with one rank too, is to meet the other program, whose wait for
+    # that is short: here the settings of the case come only after that one has met it.
+    new_case serial
+    cp system/caseSettings settings
+    rm system/caseSettings
+    mkfifo dem.start system/caseSettings
+    { printf '0 1\n3 3e-5 1e-3 1e-3 1e-3 0 0 0 0 0 0\n' >dem.start && cat settings >system/caseSettings; } &
+    feeder=$!
+    run state=dem.start exchanges=2
+    kill $feeder 2>/dev/null || true
     ;;
   schedules)
     # Both are of first order in the interval D: the distance from a run with short intervals halves with
@@ -390,11 +422,17 @@ DICT
     grep -q 'The program of the particles has finished at time 0.0001 s' log || failed "DEM first: no message"
     [[ -f 0.0001/U ]] || failed "DEM first: no fields"
     for ranks in 1 2; do
+      new_case "dem_ends_$ranks"
+      begin=$(date +%s)
+      mpi 1 $ranks exchanges=5 || failed "DEM ends, $ranks ranks: status $?"
+      limit_death_s=$(($(date +%s) - begin + 5)) # start and five exchanges on this machine
       new_case "dem_dies_$ranks"
       code=0 begin=$(date +%s)
       mpi 1 $ranks die_at=5 || code=$?
-      [[ $code != 0 && $code != 124 && $(($(date +%s) - begin)) -le 8 ]] ||
+      # Of a program that is killed nobody but mpirun can tell.
+      [[ $code != 0 && $code != 124 && $(($(date +%s) - begin)) -le $limit_death_s ]] ||
         failed "DEM dies, $ranks ranks: status $code after $(($(date +%s) - begin)) s"
+      grep -q 'Exit code: *3' log || failed "DEM dies, $ranks ranks: mpirun does not say who died"
     done
     new_case dem_dies_socket
     change transport socket
@@ -402,7 +440,7 @@ DICT
     dem=$! code=0
     timeout 10 "$bin/powderFoam" >log 2>&1 || code=$?
     wait $dem || true
-    [[ $code != 0 && $code != 124 ]] || failed "DEM dies, socket: status $code"
+    [[ $code != 0 && $code -lt 124 ]] || failed "DEM dies, socket: status $code"
     error_text "DEM dies, socket" "dem"
     # An error of the solver in the middle of the run ends both.
     for ranks in 1 2; do
@@ -411,7 +449,8 @@ DICT
       code=0
       limit_s=15 mpi 1 $ranks || code=$?
       [[ $code != 0 && $code != 124 ]] || failed "solver fails, $ranks ranks: status $code"
-      error_text "solver fails, $ranks ranks" "Courant number above its limit"
+      error_text "solver fails, $ranks ranks" "Courant number above its limit" \
+        "fake_dem: run of solver" "its error: Courant number above its limit"
     done
     # The program of the particles says why, too.
     new_case solver_fails_socket
@@ -425,7 +464,7 @@ DICT
     error_text "solver fails, socket" "its error: Courant number above its limit"
     code=0
     wait $foam || code=$?
-    [[ $code != 0 && $code != 124 ]] || failed "solver fails, socket: status $code"
+    [[ $code != 0 && $code -lt 124 ]] || failed "solver fails, socket: status $code"
     grep -qF "Courant number above its limit" log.foam || failed "solver fails, socket: no message"
     ;;
   adjusted_step)
@@ -438,6 +477,7 @@ DICT
     # 21 exchanges from 0 on, of which the last is answered by the end.
     [[ $(grep -c '^momentum ' log) == 20 ]] || failed "exchanges: $(grep -c '^momentum ' log) instead of 20"
     [[ -f 0.0004/U ]] || failed "no fields at the end time"
+    grep -q '^Coupling: model B, every 2[.0-9]*e-05 s, ' log || failed "the log does not have couplingTime"
     steps=$(grep -c '^Time = ' log)
     [[ $steps -gt 40 && $steps -lt 100 ]] || failed "$steps steps"
     ;;
@@ -470,12 +510,41 @@ DICT
     control writeInterval 4e-4
     control adjustTimeStep yes
     refused "adjusted step without couplingTime" "couplingTime"
+    # Steps of unknown length have no known step at an exchange.
+    sed -i -E 's/^couplingInterval.*/couplingTime 2e-5;/' constant/couplingProperties
+    control writeControl timeStep
+    control writeInterval 20
+    refused "writing by steps that are adjusted" "writeControl" "timeStep, with adjustTimeStep yes"
+    again
     control adjustTimeStep no
+    control writeControl clockTime
+    refused "writing by the wall clock" "entry writeControl" "given:   clockTime"
+    control writeControl adjustableRunTime
+    control writeInterval 4e-4
+    # The older pair would be gone before the newer one is whole.
+    again; echo 'purgeWrite 1;' >>system/controlDict
+    refused "purge to one" "entry purgeWrite" "given:   1" "at least 2"
+    sed -i '/^purgeWrite/d' system/controlDict
     again; sed -i '/^model/a couplingTime 2e-5;' constant/couplingProperties
     refused "couplingTime beside couplingInterval" "couplingTime"
     again; sed -i '/^rho/d' constant/transportProperties
     refused "no density" "rho"
     cp "$root/foam_cases/closed_box/constant/transportProperties" constant
+    again; change forces "(schiller_naumann buoyancy)"
+    refused "buoyancy without gravity" "entry forces" "given:   buoyancy, and no gravity" "constant/g"
+    again; sed -i 's/length 5e-4/length 0.1/' constant/couplingProperties
+    refused "smoothing beyond the mesh" "entry length" "on this mesh, because of its smallest cells"
+    # What shows at an exchange: the program of the particles says why it stops, too.
+    again; change momentumExchange explicit
+    sed -i -E 's/^(nu +).*/\11;/' constant/transportProperties
+    refused "drag that is too strong for explicit" "its error: bad value of entry momentumExchange" \
+      "given:   explicit, where the drag changes" "set momentumExchange semiImplicit"
+    cp "$root/foam_cases/closed_box/constant/transportProperties" constant
+    again; sed -i -E 's/type smooth; length 5e-4/type centre/' constant/couplingProperties
+    dem_words=radius=3e-4 refused "particles as large as cells" "its error: void fraction model centre cannot serve this mesh" \
+      "minFluidFraction = 0.2"
+    again
+    dem_words=skip=3 refused "clocks" "its error: the clocks of the two programs go apart" "a constant difference"
     # One mpirun, and a powderFoam that does not couple over it.
     again; change transport socket
     refused "socket in one mpirun" "transport socket, which is for two jobs"

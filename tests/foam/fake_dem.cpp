@@ -5,7 +5,8 @@
 // Prints the impulse that the solver took and, at the end, writes its state (text, by id) to FILE.
 //   transport=mpi|socket folder=. case=NAME dt=STEP every=N side=LENGTH low=LENGTH grid=N radius=R
 //   exchanges=MAX fixed=0|1 state=FILE (begin with it) out=FILE die_at=N (exit without a word)
-//   first_step=N (of its clock) open=0|1 (not periodic) vanish=X (those that come to x < X)
+//   first_step=N (of its clock) skip=N (steps that its clock is ahead after each exchange)
+//   open=0|1 (not periodic) vanish=X (those that come to x < X)
 #include <mpi.h>
 
 #include <unistd.h>
@@ -239,7 +240,7 @@ int run(const Options& options, const bridge::MpiWorld& world) {
               options.at("open") == "1" ? 0.0 : number(options, "side"));
       if (options.count("vanish")) vanish(p, w, number(options, "vanish"), gone);
     }
-    step += every;
+    step += every + std::stoi(options.at("skip"));
   }
   dem.finish();
   if (world.rank == 0) {
@@ -258,7 +259,7 @@ int main(int argc, char** argv) {
                                     {"dt", "2e-6"},         {"every", "10"}, {"side", "4e-3"},
                                     {"low", "0"},           {"grid", "6"},   {"radius", "3e-5"},
                                     {"exchanges", "10000"}, {"fixed", "0"},  {"out", "dem.state"},
-                                    {"open", "0"}};
+                                    {"skip", "0"},          {"open", "0"}};
   int status = 0;
   try {
     for (int i = 1; i < argc; ++i) {

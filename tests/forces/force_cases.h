@@ -24,6 +24,18 @@ constexpr double kArgonViscosity = 2.23e-5;  // Pa s
 constexpr double kSteelDensity = 7950.0;     // kg/m^3
 constexpr double kGravity = 9.81;            // m/s^2
 
+/// F + K (u - v) at the velocities given [N]; without the added mass's reaction.
+inline forces::Vec3 total_force_N(const forces::ForceTerms& t, const forces::FluidState& f,
+                                  const forces::ParticleState& p) {
+  return forces::sum(t.force_N, forces::scaled(t.drag_kg_s, forces::slip_velocity_m_s(f, p)));
+}
+/// T + K_r Omega at the spins given [N m].
+inline forces::Vec3 total_torque_Nm(const forces::ForceTerms& t, const forces::FluidState& f,
+                                    const forces::ParticleState& p) {
+  return forces::sum(t.torque_Nm,
+                     forces::scaled(t.rotational_drag_Nms, forces::slip_spin_rad_s(f, p)));
+}
+
 inline forces::FluidState argon() {
   forces::FluidState f;
   f.density_kg_m3 = kArgonDensity;

@@ -203,7 +203,7 @@ void check_rotational_drag() {
     EXPECT_NEAR(t.rotational_drag_Nms, expected,
                 (std::fabs(re - 32.0) < seam ? 2e-3 : kRounding) * expected)
         << re;
-    const Vec3 torque = forces::total_torque_Nm(t, argon(), p);
+    const Vec3 torque = test::total_torque_Nm(t, argon(), p);
     EXPECT_NEAR(torque[1], -t.rotational_drag_Nms * spin, kRounding * expected * (spin + 1));
     EXPECT_LE(dot(torque, p.spin_rad_s), 0.0) << "must brake";
   }
@@ -213,7 +213,7 @@ void check_rotational_drag() {
   // A particle that turns with the fluid feels nothing.
   FluidState vortex = argon();
   vortex.velocity_curl_1_s = scaled(2.0, p.spin_rad_s);
-  EXPECT_EQ(norm(forces::total_torque_Nm(law->evaluate(vortex, p), vortex, p)), 0.0);
+  EXPECT_EQ(norm(test::total_torque_Nm(law->evaluate(vortex, p), vortex, p)), 0.0);
 }
 
 TEST(Lift, DoesNoWorkOnTheSlip) {

@@ -81,7 +81,7 @@ TEST(PackedBed, PressureDropTimesAreaIsTheSumOfTheForces) {
     f.pressure_gradient_Pa_m = {0.0, 0.0, -ergun(kFlux) / kHeight};
     ForceTerms t = make_force("gidaspow", s)->evaluate(f, bead());
     t += make_force("pressure_gradient", s)->evaluate(f, bead());
-    const double all = particles_per_area() * forces::total_force_N(t, f, bead())[2];
+    const double all = particles_per_area() * test::total_force_N(t, f, bead())[2];
     EXPECT_NEAR(all, ergun(kFlux), kRounding * ergun(kFlux));
   }
 }
@@ -116,7 +116,7 @@ TEST(PackedBed, AFluidisedBedIsCarriedInBothModels) {
       t += make_force(name, s)->evaluate(f, bead());
     }
     const double weight = bead().density_kg_m3 * forces::volume_m3(bead()) * g;
-    EXPECT_NEAR(forces::total_force_N(t, f, bead())[2], 0.0, kRounding * weight);
+    EXPECT_NEAR(test::total_force_N(t, f, bead())[2], 0.0, kRounding * weight);
   }
 }
 

@@ -163,8 +163,8 @@ TEST(EveryForce, IsZeroWithoutACause) {
   for (const ForceEntry& entry : force_registry()) {
     SCOPED_TRACE(entry.info->name);
     const ForceTerms t = entry.make({})->evaluate(f, p);
-    EXPECT_EQ(norm(forces::total_force_N(t, f, p)), 0.0);
-    EXPECT_EQ(norm(forces::total_torque_Nm(t, f, p)), 0.0);
+    EXPECT_EQ(norm(test::total_force_N(t, f, p)), 0.0);
+    EXPECT_EQ(norm(test::total_torque_Nm(t, f, p)), 0.0);
   }
 }
 

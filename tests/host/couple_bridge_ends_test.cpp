@@ -112,6 +112,25 @@ const BadCase kBadCases[] = {
 INSTANTIATE_TEST_SUITE_P(Cases, CoupleBridgeBadInput, ::testing::ValuesIn(kBadCases),
                          [](const auto& info) { return std::string(info.param.name); });
 
+/// An error of LIGGGHTS itself, in the middle of a coupled run: of all ranks, and of one.
+TEST(CoupleBridgeEnds, AnErrorOfLiggghtsIsToldToTheSolver) {
+  constexpr const char* kAll = "run 15\nno_such_command\n";
+  constexpr const char* kOne = "run 15\nread_data missing.data add\n";
+  for (const bool socket : {false, true}) {
+    for (const char* rest : {kAll, kOne}) {
+      const LiggghtsCase c("couple_own_error");
+      std::string script = good_script(c, rest);
+      if (socket)
+        script.replace(script.find("every 10"), 8, "every 10 transport socket rendezvous meet");
+      const Outcome o = c.couple(script, {kWind, socket ? 1 : 2, 1, socket});
+      EXPECT_NE(o.status, 0) << o.output;
+      const std::string why = rest == kAll ? "Unknown command" : "Cannot open file missing.data";
+      EXPECT_NE(o.output.find("its error: LIGGGHTS: " + why), std::string::npos)
+          << (socket ? "socket: " : "mpi: ") << o.output;
+    }
+  }
+}
+
 TEST(CoupleBridgeEnds, ABoxThatIsTinyAgainstTheMeshIsRefusedUnlessItIsMeant) {
   for (const bool meant : {false, true}) {
     const LiggghtsCase c(meant ? "couple_small_box" : "couple_tiny_box");

@@ -34,11 +34,10 @@ find_victim() {
     fi
   done
 }
-# Starts or continues the run, kills a program of it when a file (or FILE.part) of the case appears, or
-# at some moment; whatever comes first: the end of the run is too late.
-kill_in_run() {  # beginning of the program's name, file or any
-  local go_on=() job victim= code=0 begin=$SECONDS moment
-  moment=$((RANDOM%20))
+# Starts or continues the run and kills a program of it when a file (or FILE.part) of the case appears, or
+# a moment [ms] after the first pair of checkpoints. Status 1: the run ended before.
+kill_in_run() {  # beginning of the program's name, file or any, moment
+  local go_on=() job victim= code=0 begin=$SECONDS state killed=no
   [[ ! -f $out/killed/case/post/restart.1250 ]] || go_on=(--continue)
   run "${options[@]}" --out "$out/killed" ${go_on[@]+"${go_on[@]}"} >"$out/log.killed" 2>&1 &
   job=$!
@@ -48,7 +47,7 @@ kill_in_run() {  # beginning of the program's name, file or any
       :
     elif [[ $2 == any ]]; then
       if [[ -f $out/killed/case/post/restart.1250 ]]; then
-        sleep "$(printf '0.%02d' $((3*moment)))"
+        sleep "$(printf '0.%03d' "$3")"
         break
       fi
     elif [[ -e $out/killed/case/$2 || -e $out/killed/case/$2.part ]]; then
@@ -57,18 +56,43 @@ kill_in_run() {  # beginning of the program's name, file or any
     ((SECONDS < begin + 60)) || fail "nothing to kill within 60 s"
     sleep 0.002
   done
-  [[ -n $victim ]] || fail "no process $1 to kill, $2"
-  kill -KILL "$victim" 2>/dev/null || echo "pipe_test: $1 had ended before it was killed, $2" >&2
+  # A signal reaches a program that has ended and is not waited for yet, too.
+  state=$(sed -n 's/^State:[[:space:]]*//p' "/proc/${victim:-none}/status" 2>/dev/null) || true
+  if [[ -n $state && $state != [ZX]* ]] && kill -KILL "$victim" 2>/dev/null; then killed=yes; fi
   wait $job || code=$?
-  echo "killed $1 at $2 (${moment}): status $code"
+  echo "killed $1 at $2${3:+ ($3 ms)}: $killed, status $code"
   [[ $code != 124 ]] || fail "the other program went on after $1 was killed"
+  if [[ $killed == no ]]; then
+    [[ $code == 0 ]] || fail "the run ended with status $code before $1 was killed: see $out/log.killed"
+    return 1
+  fi
+  [[ $code != 0 ]] || fail "$1 was killed at $2, and the run ended with status 0"
+}
+# One kill; a run that was quicker is put back to where it began, and the next moment is earlier.
+kill_once() {  # beginning of the program's name, file or any
+  local moment=
+  [[ $2 != any ]] || moment=$((RANDOM%500))
+  for attempt in 1 2 3 4; do
+    rm -rf "$out/before"
+    [[ ! -d $out/killed ]] || cp -a "$out/killed" "$out/before"
+    if kill_in_run "$1" "$2" "$moment"; then return; fi
+    rm -rf "$out/killed"
+    [[ ! -d $out/before ]] || mv "$out/before" "$out/killed"
+    [[ -z $moment ]] || moment=$((moment/2))
+  done
+  fail "$1 was not killed at $2 in $attempt attempts"
 }
 
 rm -rf "$out"
 case $test in
   one_rank) run --end-time 0.003 ;;
   two_ranks) run --end-time 0.002 --ranks 2 --dem-ranks 2 ;;
-  socket) run --end-time 0.002 --transport socket ;;
+  socket)
+    options=(--end-time 0.002)
+    run "${options[@]}"
+    run "${options[@]}" --transport socket --out "$out/socket"
+    same_run "$out/socket"
+    ;;
   jkr) run --end-time 0.002 --contact jkr ;;
   continued | continued_ranks)
     # Stopped at a write time, or after it, so that what was done since is lost.
@@ -96,9 +120,42 @@ case $test in
     # Again and again one of the programs is killed: when the fluid begins to write its part of a
     # checkpoint (twice, so that two runs go on from one time), when the particles begin theirs, and at
     # some moment.
+    seed=${PIPE_TEST_SEED:-20241}
+    echo "moments of PIPE_TEST_SEED=$seed"
+    RANDOM=$seed
     for round in powderFoam/0.001 powderFoam/0.001 liggghts/post/restart.3750 powderFoam/any liggghts/any; do
-      kill_in_run "${round%%/*}" "${round#*/}"
+      kill_once "${round%%/*}" "${round#*/}"
     done
+    run "${options[@]}" --out "$out/killed" --continue
+    same_run "$out/killed"
+    ;;
+  full_disk)
+    # The disk of the fluid is full after the first pair of checkpoints, which stays and is enough.
+    options=(--write-interval 0.0005 --end-time 0.002)
+    run "${options[@]}"
+    # A file that gets too long then fails as on a full disk, instead of ending the program.
+    mkdir "$out/bin"
+    ln -s "$POWDERLINK_BIN"/* "$out/bin"
+    rm "$out/bin/powderFoam"
+    printf '#!/bin/sh\ntrap "" XFSZ\nexec "%s" "$@"\n' "$POWDERLINK_BIN/powderFoam" >"$out/bin/powderFoam"
+    chmod +x "$out/bin/powderFoam"
+    POWDERLINK_BIN=$out/bin run "${options[@]}" --out "$out/killed" >"$out/log.killed" 2>&1 &
+    job=$! begin=$SECONDS victim= code=0
+    until [[ -f $out/killed/case/post/restart.1250 ]]; do
+      [[ -n $victim ]] || find_victim powderFoam
+      ((SECONDS < begin + 60)) || fail "no pair of checkpoints within 60 s"
+      sleep 0.002
+    done
+    # Between the log and the fields.
+    prlimit --pid "$victim" --fsize=60000 || fail "powderFoam had ended before its disk was full"
+    wait $job || code=$?
+    [[ $code != 0 && $code != 124 ]] || fail "full disk: status $code"
+    cd "$out/killed/case"
+    grep -q 'the disk did not take the whole file' log.powderFoam || fail "full disk: no clear error"
+    "$POWDERLINK_BIN/powderlink" restart . --dt 4e-7 --json "$out/pair.json" 2>"$out/refused" ||
+      fail "full disk: no pair is left"
+    grep -qE 'later, but of no use: fields of time 0\.00(1|15|2):' "$out/refused" ||
+      fail "full disk: all fields are whole"
     run "${options[@]}" --out "$out/killed" --continue
     same_run "$out/killed"
     ;;

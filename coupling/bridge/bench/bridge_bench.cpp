@@ -160,7 +160,7 @@ void bench_socket(const std::string& name, const std::string& address, const std
 }
 
 void bench_mpi(const std::string& role) {
-  const MpiWorld world = split_world(role, timeout_s);
+  const MpiWorld world = split_world_if_shared(role, timeout_s);
   const bool dem = role == "dem";
   if (world.rank == 0) {
     MpiTransport transport(world);

@@ -4,6 +4,7 @@
 #include "bridgeLink.H"
 #include "dictionaryChecks.H"
 #include "particleFields.H"
+#include "writtenFiles.H"
 #include "uniformDimensionedFields.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -95,6 +96,8 @@ const Foam::dictionary& Foam::bridgeSettings::checkedEntries
 
 void Foam::bridgeSettings::check() const
 {
+    writtenFiles::refuseCollated();
+
     if (!(minFluidFraction > 0 && minFluidFraction < 1))
     {
         dictionaryChecks::badValue

@@ -43,6 +43,27 @@ Foam::scalar Foam::exchangeClock::interval
 }
 
 
+void Foam::exchangeClock::checkPurge() const
+{
+    const dictionary& dict = time_.controlDict();
+    const label nKept = dict.lookupOrDefault<label>("purgeWrite", 0);
+    if (nKept == 1)
+    {
+        // OpenFOAM removes the older time while it writes; the particles'
+        // part of the new pair comes after that
+        dictionaryChecks::badValue
+        (
+            dict,
+            "purgeWrite",
+            "1",
+            "0 (keep all), or at least 2: the last pair of checkpoints must"
+            " stay until the next one is whole",
+            "set purgeWrite 2"
+        );
+    }
+}
+
+
 Foam::label Foam::exchangeClock::checkWriteTimes() const
 {
     const dictionary& dict = time_.controlDict();
@@ -50,25 +71,38 @@ Foam::label Foam::exchangeClock::checkWriteTimes() const
     const scalar writeInterval =
         dict.lookupOrDefault<scalar>("writeInterval", GREAT);
 
-    scalar period = 0;
-    if (control == "timeStep")
+    if (control == "none" || writeInterval > 1e15)
     {
-        period = writeInterval*time_.deltaTValue();
+        return 0;
     }
-    else if
-    (
+
+    const bool byTime =
         control == "runTime"
      || control == "adjustable"
-     || control == "adjustableRunTime"
-    )
+     || control == "adjustableRunTime";
+    const bool bySteps =
+        control == "timeStep"
+     && !dict.lookupOrDefault("adjustTimeStep", false);
+    if (!byTime && !bySteps)
     {
-        period = writeInterval;
+        dictionaryChecks::badValue
+        (
+            dict,
+            "writeControl",
+            control
+          + (control == "timeStep" ? ", with adjustTimeStep yes" : ""),
+            "runTime or adjustableRunTime, and timeStep with steps of constant"
+            " length: fields are written at exchanges",
+            "set writeControl adjustableRunTime and writeInterval [s]"
+        );
     }
 
     // Never written
     constexpr scalar never = 1e9;
+    const scalar period =
+        byTime ? writeInterval : writeInterval*time_.deltaTValue();
     const scalar nIntervals = period/interval_;
-    if (writeInterval > 1e15 || nIntervals > never)
+    if (nIntervals > never)
     {
         return 0;
     }
@@ -106,7 +140,9 @@ Foam::exchangeClock::exchangeClock
     start_(time.value()),
     nToWrite_(checkWriteTimes()),
     offset_(0)
-{}
+{
+    checkPurge();
+}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //

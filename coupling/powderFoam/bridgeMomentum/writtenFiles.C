@@ -61,13 +61,26 @@ namespace
 
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
 
+void Foam::writtenFiles::refuseCollated()
+{
+    const word handler(fileHandler().type());
+    if (Pstream::parRun() && (handler == "collated" || handler == "hostCollated"))
+    {
+        FatalErrorInFunction
+            << "file handler of a coupled run" << nl
+            << "    given:   " << handler << nl
+            << "    allowed: uncollated, masterUncollated: the files of each"
+            << " processor are looked at when a pair of checkpoints is made"
+            << nl
+            << "    to do:   leave -fileHandler and FOAM_FILEHANDLER out"
+            << nl
+            << exit(FatalError);
+    }
+}
+
+
 Foam::string Foam::writtenFiles::firstBroken(const fvMesh& mesh)
 {
-    if (fileHandler().type() == "collated")
-    {
-        return string();
-    }
-
     const Time& time = mesh.time();
     DynamicList<fileName> files;
     files.append(time.timePath()/"uniform"/"time");

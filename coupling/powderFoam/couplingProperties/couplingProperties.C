@@ -104,9 +104,16 @@ Foam::couplingProperties::couplingProperties(const fvMesh& mesh)
         );
     }
 
-    Info<< "Coupling: model " << model << ", every " << couplingInterval_
-        << " step(s), stop above Courant number " << maxCoFatal_ << nl
-        << endl;
+    Info<< "Coupling: model " << model << ", every ";
+    if (couplingTime_ > 0)
+    {
+        Info<< couplingTime_ << " s";
+    }
+    else
+    {
+        Info<< couplingInterval_ << " step(s)";
+    }
+    Info<< ", stop above Courant number " << maxCoFatal_ << nl << endl;
 }
 
 

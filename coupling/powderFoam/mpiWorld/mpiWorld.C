@@ -5,6 +5,8 @@
 #include "OSspecific.H"
 #include "Pstream.H"
 
+#include "coupling/bridge/coupling_link.h"
+
 #include <mpi.h>
 
 #include <cstdio>
@@ -17,7 +19,8 @@ namespace bridge = powderlink::bridge;
 
 namespace
 {
-    // Both programs start at once; a minute is for a loaded machine
+    // Both programs split the world first of all; a minute is for a loaded
+    // machine
     constexpr double startTimeout_s = 60;
 
     bridge::MpiWorld thisWorld;
@@ -50,6 +53,16 @@ namespace
         }
     }
 
+    // A run without -parallel starts MPI only if mpirun has started more than
+    // itself
+    bool mayShare()
+    {
+        const Foam::string nProcesses(Foam::getEnv("OMPI_COMM_WORLD_SIZE"));
+        return
+            Foam::Pstream::parRun()
+         || !(nProcesses.empty() || nProcesses == "1");
+    }
+
     inline MPI_Comm own(MPI_Comm comm)
     {
         return isSplit && comm == MPI_COMM_WORLD ? thisWorld.local : comm;
@@ -77,14 +90,18 @@ const bridge::MpiWorld& Foam::mpiWorld::world()
 }
 
 
+void Foam::mpiWorld::meet()
+{
+    if (mayShare())
+    {
+        world();
+    }
+}
+
+
 void Foam::mpiWorld::refusePartner(const string& why, const string& toDo)
 {
-    // A run without -parallel starts MPI for this question only if mpirun has
-    // started more than itself
-    const string nProcesses(getEnv("OMPI_COMM_WORLD_SIZE"));
-    const bool alone = nProcesses.empty() || nProcesses == "1";
-
-    if (!(Pstream::parRun() || !alone) || !bridge::holds_other_program(world()))
+    if (!mayShare() || !bridge::holds_other_program(world()))
     {
         return;
     }
@@ -139,6 +156,7 @@ int MPI_Init_thread(int* argc, char*** argv, int required, int* provided)
 int MPI_Abort(MPI_Comm, int code)
 {
     std::fflush(nullptr);
+    bridge::say_last_words("powderFoam ended by an error; see its log");
     std::_Exit(code == 0 ? 1 : code);
 }
 

@@ -2,6 +2,7 @@
 
 #include "particleMomentum.H"
 #include "dictionaryChecks.H"
+#include "functionObject.H"
 #include "addToRunTimeSelectionTable.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -47,7 +48,8 @@ Foam::autoPtr<Foam::particleMomentum> Foam::particleMomentum::New
 )
 {
     const dictionary& dict = coupling.particleMomentumDict();
-    if (dict.empty())
+    // Function objects on a run of before: no step is made, nobody to couple with
+    if (dict.empty() || functionObject::postProcess)
     {
         return autoPtr<particleMomentum>::New(mesh, coupling);
     }

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file field_file.h
+/// Whether a file that OpenFOAM wrote is whole: its last line `// *** //` closes it, in a compressed
+/// file (NAME.gz) after all of it could be inflated and gzip's own checksum agrees.
+/// Tests: tests/analysis/restart_test.cpp
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace powderlink::analysis {
+
+/// Nothing for a whole file, else what is wrong: "is empty", "breaks off: ...".
+std::string why_not_whole(const std::filesystem::path& file);
+
+}  // namespace powderlink::analysis
