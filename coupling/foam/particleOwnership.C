@@ -2,7 +2,6 @@
 
 #include "particleOwnership.H"
 #include "bitSet.H"
-#include "int64.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -183,30 +182,6 @@ void Foam::particleOwnership::update
     {
         offer(positions, leftover);
     }
-}
-
-
-Foam::List<int64_t> Foam::particleOwnership::outsideIds
-(
-    const UList<int64_t>& receivedIds,
-    const label maxIds
-) const
-{
-    List<List<int64_t>> ids(Pstream::nProcs());
-    List<int64_t>& mine = ids[Pstream::myProcNo()];
-    mine = List<int64_t>(receivedIds, outside_);
-    sort(mine);
-    mine.setSize(min(mine.size(), maxIds));
-
-    Pstream::gatherList(ids);
-
-    DynamicList<int64_t> all;
-    for (const List<int64_t>& some : ids)
-    {
-        all.append(some);
-    }
-    sort(all);
-    return List<int64_t>(std::move(all));
 }
 
 
