@@ -45,8 +45,7 @@ void run(const std::string& file, const std::string& json) {
   for (const std::string& sentence : d.words) fmt::print("- {}\n", sentence);
   fmt::print("- next measurement: {}\n\n{}", d.next.text, ranking_table(d));
   if (!d.best.empty()) {
-    fmt::print("\npowderlink add {} {} -o NEWSTUDY  writes the study with it\n", file,
-               d.get(d.best).added.front());
+    fmt::print("\npowderlink add {} {} -o NEWSTUDY  writes the study with it\n", file, d.best);
   }
 }
 

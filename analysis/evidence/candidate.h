@@ -66,8 +66,8 @@ inline constexpr double kApart = 2.0;
 /// What BIC adds its penalty to.
 double score(const Observations& observations, double chi2);
 
-/// Two added effects are estimated together (Hypothesis::estimated) and tried from `near` only; one or
-/// none is searched for within the bounds too.
+/// Two added effects are estimated together (Hypothesis::estimated) and tried from `near` only (without
+/// any: InvalidInput); one or none is searched for within the bounds too. See added_effects.h.
 /// \param study, observations  must outlive the result
 /// \param near  explanations to start from
 Candidate fit_candidate(const Study& study, const Observations& observations,

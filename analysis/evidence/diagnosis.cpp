@@ -8,6 +8,7 @@
 #include <limits>
 #include <utility>
 
+#include "analysis/evidence/added_effects.h"
 #include "analysis/evidence/residual_checks.h"
 #include "analysis/evidence/verdict_words.h"
 #include "models/effect_registry.h"
@@ -98,7 +99,7 @@ std::vector<Candidate> fit_pairs(const Study& study, const Observations& observa
       const std::vector<std::string> added = {singles[i]->name, singles[j]->name};
       // A pair needs rows to spare.
       if (most_parameters(study, added) + 1 > observations.list.size()) continue;
-      pairs.push_back(fit_candidate(study, observations, added, {singles[i], singles[j]}));
+      pairs.push_back(fit_pair(study, observations, *singles[i], *singles[j]));
     }
   }
   sort_by_bic(pairs);
@@ -159,8 +160,7 @@ Diagnosis diagnose(const Study& study, const Observations& observations) {
       const bool there = std::any_of(study.effects.begin(), study.effects.end(),
                                      [&](const EffectChoice& e) { return e.name == name; });
       if (there || most_parameters(study, {name}) > observations.list.size()) continue;
-      // From the baseline too: an effect that hardly acts must not end in another valley than none.
-      Candidate c = fit_candidate(study, observations, {name}, {&baseline});
+      Candidate c = fit_single(study, observations, name, baseline);
       c.acts = !same_predictions(c, baseline);
       if (!c.acts) c.why = "it cannot be seen in these measurements, or its best fit is to vanish";
       d.ranking.push_back(std::move(c));

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 
+#include "models/invalid_input.h"
+
 namespace powderlink::analysis {
 
 namespace {
@@ -146,6 +148,10 @@ FitSolution least_squares(const FitProblem& problem, const std::vector<double>& 
 
 FitSolution least_squares(const FitProblem& problem,
                           const std::vector<std::vector<double>>& starts) {
+  if (starts.empty()) {
+    throw InvalidInput("least squares", "no point to start from", "one or more",
+                       "fit two effects from the fits of each alone");
+  }
   FitSolution best;
   best.chi2 = std::numeric_limits<double>::infinity();
   for (const std::vector<double>& start : starts) {

@@ -49,7 +49,7 @@ struct FitSolution {
 /// From `start`; with no parameters the residuals alone.
 FitSolution least_squares(const FitProblem& problem, const std::vector<double>& start);
 
-/// Best of the starts; ties keep the earlier one.
+/// Best of the starts; ties keep the earlier one. Throws InvalidInput without any.
 FitSolution least_squares(const FitProblem& problem,
                           const std::vector<std::vector<double>>& starts);
 

@@ -8,6 +8,7 @@
 #include <random>
 
 #include "analysis/critical_diameter.h"
+#include "analysis/evidence/added_effects.h"
 #include "analysis/material_library.h"
 #include "tests/analysis/test_files.h"
 
@@ -86,6 +87,40 @@ TEST(Diagnosis, AStepIsNotExplained) {
   const std::string last = d.words.back();
   EXPECT_NE(last.find("a step of +"), std::string::npos) << last;
   EXPECT_NE(last.find("between 1.9 and 2.5 m/s"), std::string::npos) << last;
+}
+
+void expect_same_fit(const Candidate& a, const Candidate& b) {
+  SCOPED_TRACE(a.name);
+  EXPECT_EQ(a.name, b.name);
+  EXPECT_EQ(a.bic, b.bic);
+  EXPECT_EQ(a.solution.values, b.solution.values);
+}
+
+TEST(Diagnosis, AddingFitsAsTheRankingDid) {
+  const Study s = steel_study(90.0, {{"electrostatic_image_force", {1.8e-4}}}, 0.02);
+  const Observations o = observe(s);
+  for (const Candidate& c : diagnose(s, o).ranking) {
+    if (!c.added.empty()) expect_same_fit(fit_added(s, o, c.added), c);
+  }
+}
+
+TEST(Diagnosis, TwoEffectsAreAddedAsTheyWereFound) {
+  // Flat at low v, as a cut-off makes it, and up by a quarter of its slope from -1.2 at high v.
+  Study s = steel_study(40.0, {}, 0.01);
+  for (KatRow& row : s.rows) {
+    const double v = row.impact_velocity_m_s;
+    row.critical_diameter_um = 60.0 / std::pow(1.0 + std::pow(v / 2.0, 8.0 * 0.8), 1.0 / 8.0);
+    row.critical_diameter_sigma_um = 0.01 * *row.critical_diameter_um;
+  }
+  s.adhesive_energy = {0.001, 1000.0};
+  const Observations o = observe(s);
+  const Diagnosis d = diagnose(s, o);
+  ASSERT_FALSE(d.pairs.empty());
+  const Candidate& pair = d.pairs.front();
+  ASSERT_EQ(pair.added.size(), 2U);
+  expect_same_fit(fit_added(s, o, {pair.added[1], pair.added[0]}), pair);  // in either order
+  expect_refusal([&] { fit_candidate(s, o, pair.added); }, {"no point to start from"});
+  expect_refusal([&] { fit_added(s, o, {"a", "b", "c"}); }, {"'a+b+c'", "two as a+b"});
 }
 
 TEST(Diagnosis, AnImplausibleLeaderDoesNotHideThePlausibleOne) {

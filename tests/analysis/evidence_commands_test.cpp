@@ -106,6 +106,20 @@ TEST(EvidenceCommands, AddMakesAStudyWithAFallenError) {
   EXPECT_NE(itself.err.find("another file"), std::string::npos) << itself.err;
 }
 
+TEST(EvidenceCommands, AddTakesTwoEffects) {
+  const TestFolder folder;
+  const std::string study = (folder.path() / "pair.toml").string();
+  const CommandResult r = powderlink("add " + kZafar + " finite_stop_pulse+psd_cutoff -o " + study);
+  ASSERT_EQ(r.status, 0) << r.err;
+  const std::string text = read_file(study);
+  EXPECT_NE(text.find("[effect.finite_stop_pulse]"), std::string::npos) << text;
+  EXPECT_NE(text.find("[effect.psd_cutoff]"), std::string::npos) << text;
+  const CommandResult three = powderlink(
+      "add " + kZafar + " finite_stop_pulse+psd_cutoff+surface_roughness -o " + study + "3");
+  EXPECT_EQ(three.status, 1);
+  EXPECT_NE(three.err.find("two as a+b"), std::string::npos) << three.err;
+}
+
 TEST(EvidenceCommands, BadInputIsToldPlainly) {
   const TestFolder folder;
   const auto study = [&](const std::string& csv) {
