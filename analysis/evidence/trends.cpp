@@ -6,8 +6,9 @@
 #include <boost/math/distributions/chi_squared.hpp>
 #include <boost/math/distributions/fisher_f.hpp>
 #include <boost/math/distributions/students_t.hpp>
-#include <boost/math/special_functions/binomial.hpp>
+#include <boost/math/special_functions/gamma.hpp>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace powderlink::analysis {
@@ -47,6 +48,14 @@ double correlation(const std::vector<double>& a, const std::vector<double>& b) {
     bb += (b[i] - mean_b) * (b[i] - mean_b);
   }
   return aa > 0.0 && bb > 0.0 ? ab / std::sqrt(aa * bb) : 0.0;
+}
+
+/// ln of a over b, -infinity where there is no such choice; the binomial itself overflows beyond some
+/// 1000 rows. std::lgamma writes a global, so not with threads.
+double log_choose(unsigned a, unsigned b) {
+  if (b > a) return -std::numeric_limits<double>::infinity();
+  const auto log_factorial = [](unsigned n) { return boost::math::lgamma(n + 1.0); };
+  return log_factorial(a) - log_factorial(b) - log_factorial(a - b);
 }
 
 bool spread(const std::vector<double>& x) {
@@ -133,17 +142,17 @@ double runs_p_value(const std::vector<double>& x, const std::vector<double>& res
     if (i == 0 || up != (residuals[order[i - 1]] > 0.0)) ++runs;
   }
   if (plus == 0 || minus == 0) return 1.0;
-  const auto choose = [](unsigned a, unsigned b) {
-    return b > a ? 0.0 : boost::math::binomial_coefficient<double>(a, b);
+  const double all = log_choose(plus + minus, plus);
+  const auto part = [&](unsigned of_plus, unsigned of_minus) {
+    return std::exp(log_choose(plus - 1, of_plus) + log_choose(minus - 1, of_minus) - all);
   };
   double probability = 0.0;
   for (unsigned count = 2; count <= runs; ++count) {
     const unsigned half = count / 2;
-    probability += count % 2 == 0 ? 2.0 * choose(plus - 1, half - 1) * choose(minus - 1, half - 1)
-                                  : choose(plus - 1, half) * choose(minus - 1, half - 1) +
-                                        choose(plus - 1, half - 1) * choose(minus - 1, half);
+    probability += count % 2 == 0 ? 2.0 * part(half - 1, half - 1)
+                                  : part(half, half - 1) + part(half - 1, half);
   }
-  return std::min(1.0, probability / choose(plus + minus, plus));
+  return std::min(1.0, probability);
 }
 
 void correct_for_number(std::vector<TrendTest>& tests) {
