@@ -121,11 +121,14 @@ Observations observe(const Study& study) {
   return o;
 }
 
-double Hypothesis::corrected(double diameter_m, double v) const {
-  if (correction.empty()) return diameter_m;
-  const auto above = correction.lower_bound(v);
-  if (above == correction.end()) return diameter_m * std::exp(correction.rbegin()->second);
-  if (above == correction.begin()) return diameter_m * std::exp(above->second);
+double Hypothesis::corrected(double diameter_m, const KatRow& row) const {
+  const auto found = correction.find(conditions_of(row));
+  if (found == correction.end()) return diameter_m;
+  const std::map<double, double>& over_v = found->second;
+  const double v = row.impact_velocity_m_s;
+  const auto above = over_v.lower_bound(v);
+  if (above == over_v.end()) return diameter_m * std::exp(over_v.rbegin()->second);
+  if (above == over_v.begin()) return diameter_m * std::exp(above->second);
   const auto below = std::prev(above);
   const double part = std::log(v / below->first) / std::log(above->first / below->first);
   return diameter_m * std::exp(below->second + part * (above->second - below->second));
@@ -137,7 +140,7 @@ double predicted_diameter_um(const Study& study, const Hypothesis& hypothesis, c
                 row.adhesive_energy_J_m2.value_or(hypothesis.adhesive_energy_J_m2)));
   double diameter = hypothesis.corrected(
       quick_critical_diameter(model, row.impact_velocity_m_s, hypothesis.estimated).diameter_m,
-      row.impact_velocity_m_s);
+      row);
   for (const auto& effect : model.setup().effects) diameter = effect->observed_diameter_m(diameter);
   return diameter * 1e6;
 }
@@ -154,7 +157,7 @@ double retained_share(const Study& study, const Hypothesis& h, const KatRow& row
   const auto critical_um = [&](double gamma) {
     const ReducedModel model(row_setup(study, h.effects, row, gamma));
     const double v = row.impact_velocity_m_s;
-    return 1e6 * h.corrected(quick_critical_diameter(model, v, h.estimated).diameter_m, v);
+    return 1e6 * h.corrected(quick_critical_diameter(model, v, h.estimated).diameter_m, row);
   };
   double scatter = 0.0;
   for (const EffectChoice& e : h.effects) {

@@ -18,21 +18,30 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "analysis/study.h"
 
 namespace powderlink::analysis {
 
+/// What a drop has of its own beside its velocity: contact time [us], Gamma [J/m^2].
+using RowConditions = std::pair<std::optional<double>, std::optional<double>>;
+inline RowConditions conditions_of(const KatRow& row) {
+  return {row.contact_time_us, row.adhesive_energy_J_m2};
+}
+
 /// What is taken to act: effects with their parameters, and the interface's work of adhesion.
 struct Hypothesis {
   std::vector<EffectChoice> effects;
   double adhesive_energy_J_m2 = 0.0;
   bool estimated = false;  ///< sums of effects are estimated (critical_speed.h)
-  /// ln(d_c integrated/estimated) over v [m/s]; between its velocities linear in ln v. Empty: none.
-  std::map<double, double> correction{};
-  double corrected(double diameter_m, double impact_velocity_m_s) const;
+  /// ln(d_c integrated/estimated) over v [m/s], for each contact time and Gamma that rows have of their
+  /// own; between its velocities linear in ln v. Where there is none the estimate stays.
+  std::map<RowConditions, std::map<double, double>> correction{};
+  double corrected(double diameter_m, const KatRow& row) const;
 };
 
 struct Observation {
