@@ -118,9 +118,9 @@ const ParameterEstimate* Candidate::find(const std::string& wanted) const {
   return nullptr;
 }
 
-bool Candidate::at_bound() const {
+bool Candidate::held_back() const {
   return std::any_of(parameters.begin(), parameters.end(),
-                     [](const ParameterEstimate& p) { return p.at_bound; });
+                     [](const ParameterEstimate& p) { return p.held_back; });
 }
 
 Candidate fit_candidate(const Study& study, const Observations& observations,

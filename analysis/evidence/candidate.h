@@ -32,6 +32,7 @@ struct ParameterEstimate {
   Role role = Role::fixed;
   double lower = 0.0, upper = 0.0;  ///< bounds of the fit
   bool at_bound = false;
+  bool held_back = false;  ///< by a bound that the study set, or that chi^2 pushes it against
   double plausible_lower = 0.0, plausible_upper = 0.0;
   std::string source;  ///< of the plausible range
   bool plausible() const { return value >= plausible_lower && value <= plausible_upper; }
@@ -56,8 +57,8 @@ struct Candidate {
   int fitted() const { return static_cast<int>(solution.values.size()); }
   double chi2_per_dof() const;
   const ParameterEstimate* find(const std::string& name) const;
-  /// A fitted parameter stopped at a bound: the candidate may be better than it looks.
-  bool at_bound() const;
+  /// A bound held a fitted parameter back: the candidate may be better than it looks.
+  bool held_back() const;
 };
 
 /// BIC differences below this do not tell two explanations apart.

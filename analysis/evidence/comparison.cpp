@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "analysis/critical_diameter.h"
+#include "analysis/evidence/candidate_parameters.h"
 #include "analysis/evidence/diagnosis.h"
 #include "analysis/evidence/residual_checks.h"
 
@@ -31,8 +32,7 @@ std::vector<std::string> doubts(const Comparison& c, const Study& study) {
         "judged");
   }
   for (const ParameterEstimate& p : c.fit.parameters) {
-    if (p.at_bound)
-      words.push_back(fmt::format("{} = {:.4g} stopped at a bound of the fit", p.name, p.value));
+    if (p.at_bound) words.push_back(bound_text(p));
   }
   std::size_t at_end = 0;
   for (std::size_t i = 0; i < study.rows.size(); ++i) {

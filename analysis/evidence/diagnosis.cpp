@@ -177,8 +177,9 @@ Diagnosis diagnose(const Study& study, const Observations& observations) {
   std::vector<const Candidate*> leading;
   const Pattern* pattern = best_pattern(d.patterns, observations);
   const bool fails = residuals_fail(d.baseline().tests, d.baseline().solution.residuals, noise);
+  const bool held_back = d.baseline().held_back();
   if (!fails) {
-    d.verdict = Verdict::no_missing_effect;
+    d.verdict = held_back ? Verdict::ambiguous : Verdict::no_missing_effect;
     // The simplest that suffices is the best, whatever a parameter more may gain by accident.
     std::stable_partition(d.ranking.begin(), d.ranking.end(),
                           [](const Candidate& c) { return c.added.empty(); });
@@ -222,9 +223,11 @@ Diagnosis diagnose(const Study& study, const Observations& observations) {
       }
       const bool foreign =
           pattern != nullptr && pattern_bic(*pattern, observations) < enough.front()->bic + kApart;
-      d.verdict = single && leading.size() == 1 && !enough.front()->at_bound() && !foreign
-                      ? Verdict::missing_effect
-                      : Verdict::ambiguous;
+      // Bounds that hold the baseline back may make any effect look needed; bounds beyond what is
+      // plausible do not.
+      const bool at_bound = enough.front()->held_back() || (held_back && none.plausible);
+      d.verdict = single && leading.size() == 1 && !at_bound && !foreign ? Verdict::missing_effect
+                                                                         : Verdict::ambiguous;
       const auto plausible = std::find_if(leading.begin(), leading.end(),
                                           [](const Candidate* c) { return c->plausible; });
       d.best = (plausible != leading.end() ? *plausible : leading.front())->name;

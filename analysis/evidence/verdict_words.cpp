@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/evidence/candidate_parameters.h"
 #include "analysis/evidence/residual_checks.h"
 #include "analysis/units.h"
 
@@ -28,6 +29,16 @@ std::string failing_tests(const Candidate& c) {
       failing.push_back(fmt::format("{} over {} (p = {:.1g})", t.test, t.variable, t.p_corrected));
   }
   return failing.empty() ? "its size" : fmt::format("{}", fmt::join(failing, ", "));
+}
+
+void tell_bounds(const Candidate& c, std::vector<std::string>& words) {
+  for (const ParameterEstimate& p : c.parameters) {
+    if (p.at_bound) {
+      words.push_back(fmt::format("{}: {}{}", c.added.empty() ? "the study's own model" : c.name,
+                                  bound_text(p),
+                                  p.held_back ? ": widen the bounds or distrust it" : ""));
+    }
+  }
 }
 
 }  // namespace
@@ -55,11 +66,16 @@ std::vector<std::string> verdict_words(const Study& study, const Observations& o
                                 : fmt::format("the model with {}", fmt::join(effects, ", "));
   std::vector<std::string> words;
   words.push_back("judged with " + noise.text());
-  if (d.verdict == Verdict::no_missing_effect) {
-    words.push_back(
-        fmt::format("{} explains the measurements ({}); no effect is missing that they "
-                    "could show. {}",
-                    model, quality(none, noise), parameter_text(none)));
+  const bool undecided = d.verdict == Verdict::ambiguous && d.best.empty();
+  if (d.verdict == Verdict::no_missing_effect || undecided) {
+    words.push_back(fmt::format(
+        "{} {} ({}){}. {}", model,
+        undecided ? "agrees with the measurements" : "explains the measurements",
+        quality(none, noise),
+        undecided ? ", but only where its bounds end: whether an effect is missing cannot be told"
+                  : "; no effect is missing that they could show",
+        parameter_text(none)));
+    tell_bounds(none, words);
     if (!none.plausible) {
       words.push_back("but: " + none.why +
                       ". The shape fits, the strength does not: an effect that keeps the shape, or "
@@ -69,11 +85,13 @@ std::vector<std::string> verdict_words(const Study& study, const Observations& o
   }
   words.push_back(
       fmt::format("{} fails ({}): {}", model, quality(none, noise), failing_tests(none)));
+  tell_bounds(none, words);
   const auto describe = [&](const std::string& name) {
     const Candidate& c = d.get(name);
     words.push_back(fmt::format("{}: {}, delta BIC {:+.1f}, {}; {}", name, quality(c, noise),
                                 c.bic - none.bic, parameter_text(c),
                                 c.plausible ? "plausible" : "IMPLAUSIBLE: " + c.why));
+    tell_bounds(c, words);
   };
   switch (d.verdict) {
     case Verdict::missing_effect:
@@ -92,8 +110,6 @@ std::vector<std::string> verdict_words(const Study& study, const Observations& o
                         "leading plausible explanation",
                         d.indistinguishable.front(), d.best));
       }
-      if (d.get(d.best).at_bound())
-        words.push_back("a fitted parameter stopped at its bound: widen the bounds or distrust it");
       if (d.get(d.best).added.size() > 1)
         words.push_back("it takes two effects; so many parameters explain much and prove little");
       break;

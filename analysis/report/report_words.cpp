@@ -105,6 +105,9 @@ std::string headline(const StudyResult& r) {
     case Verdict::ambiguous:
       break;
   }
+  if (d.best.empty()) {
+    return text + " The fit ended at a bound: whether an effect is missing cannot be told.";
+  }
   const auto values = [](bool possible) {
     return possible ? "with possible values" : "with values that are not possible";
   };

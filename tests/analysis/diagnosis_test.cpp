@@ -4,11 +4,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
 #include "analysis/critical_diameter.h"
 #include "analysis/evidence/added_effects.h"
+#include "analysis/evidence/comparison.h"
 #include "analysis/material_library.h"
 #include "tests/analysis/test_files.h"
 
@@ -178,6 +180,39 @@ TEST(Diagnosis, AFitAtABoundIsNotConfident) {
   const Diagnosis d = diagnosed(s);
   EXPECT_NE(d.verdict, Verdict::missing_effect);
   EXPECT_NE(d.verdict, Verdict::no_missing_effect);
+}
+
+bool told(const std::vector<std::string>& words, const std::string& what) {
+  return std::any_of(words.begin(), words.end(),
+                     [&](const std::string& w) { return w.find(what) != std::string::npos; });
+}
+
+TEST(Diagnosis, ABoundOfGammaIsNeverConfidentAndAlwaysTold) {
+  // Instant stop: d_c ~ Gamma. The bound is this part of the Gamma that made the data.
+  const std::string sentence = "stopped at a bound of the fit, 0.001 to ";
+  for (const double part : {0.9, 0.99}) {
+    for (const bool stated : {true, false}) {
+      SCOPED_TRACE(testing::Message() << part << (stated ? " stated" : " assumed"));
+      Study s = steel_study(4.0, {}, 1e-3, stated);  // so that chance does not move Gamma
+      for (KatRow& row : s.rows) {
+        if (stated) row.critical_diameter_sigma_um = 0.02 * *row.critical_diameter_um;
+      }
+      s.adhesive_energy.upper_J_m2 = part * 4.0;
+      const Observations o = observe(s);
+      const Diagnosis d = diagnose(s, o);
+      EXPECT_TRUE(d.verdict == Verdict::ambiguous || d.verdict == Verdict::unexplained)
+          << to_string(d.verdict);
+      EXPECT_TRUE(told(d.words, sentence));
+      const Comparison c = compare(s, o);
+      EXPECT_NE(c.verdict, Comparison::Verdict::agrees);
+      EXPECT_TRUE(told(c.words, sentence));
+    }
+  }
+  Study s = steel_study(4.0, {}, 1e-3);
+  s.adhesive_energy.upper_J_m2 = 1.01 * 4.0;
+  const Observations o = observe(s);
+  EXPECT_EQ(diagnose(s, o).verdict, Verdict::no_missing_effect);
+  EXPECT_EQ(compare(s, o).verdict, Comparison::Verdict::agrees);
 }
 
 TEST(Diagnosis, ABoundThatForcesImplausibleValuesIsNotConfident) {
