@@ -231,16 +231,15 @@ void read_rows(const StrictTable& root, const StrictTable& study_table, const St
   if (csv) {
     for (const std::string& table : tables) {
       study.measurements.push_back(study.file.parent_path() / table);
-      const Measurements m = read_measurements(study.measurements.back());
+      Measurements m = read_measurements(study.measurements.back());
+      for (KatRow& row : m.rows) row.table = study.measurements.size() - 1;
       study.rows.insert(study.rows.end(), m.rows.begin(), m.rows.end());
       if (!m.unknown_columns.empty()) {
         study.notes.push_back(fmt::format("{}: columns that are not used: {}", m.table.file,
                                           fmt::join(m.unknown_columns, ", ")));
       }
     }
-    // A column that only some rows have is no column of the study.
-    for (KatRow& row : study.rows) {
-      if (tables.size() > 1) row.other.clear();
+    for (const KatRow& row : study.rows) {
       if (row.adhesive_energy_J_m2.has_value() !=
               study.rows.front().adhesive_energy_J_m2.has_value() ||
           row.contact_time_us.has_value() != study.rows.front().contact_time_us.has_value()) {

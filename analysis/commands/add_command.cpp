@@ -82,9 +82,9 @@ void run(const Options& o) {
   write_file(o.output, study_text(study, c, o.output));
   if (!o.script.empty()) write_file(o.script, script_text(study, c));
 
-  fmt::print("{}: {} with {}\n- {}\n- {}: {}\n- rms relative error of the reduced model {:.2f} %\n",
-             o.output, study.name, c.name, parameter_text(c),
-             c.plausible ? "plausible" : "IMPLAUSIBLE", c.why, 100.0 * c.rms_relative_error);
+  fmt::print("{}: {} with {}\n- {}\n- {}: {}\n- reduced model: {}\n", o.output, study.name, c.name,
+             parameter_text(c), c.plausible ? "plausible" : "IMPLAUSIBLE", c.why,
+             rms_sentence(c.rms));
   fmt::print("\npowderlink compare {} --backend dem  shows the error with LIGGGHTS\n", o.output);
 }
 

@@ -54,22 +54,20 @@ bool same_predictions(const Candidate& a, const Candidate& b) {
   return true;
 }
 
-double rms_sigma(const Candidate& c) {
-  return std::sqrt(c.solution.chi2 / static_cast<double>(c.predicted.size()));
-}
-
-bool suffices(const Candidate& c, const Candidate& baseline, const Noise& noise) {
+/// Trends tell little where the size of the noise is not known: there the scatter of the other rows
+/// alone is asked for.
+bool suffices(const Candidate& c, const Candidate& baseline, const Observations& o) {
   if (!c.acts || c.bic > baseline.bic - kClears) return false;
-  return noise.known() ? least_p_value(c.tests) >= kSuffices : rms_sigma(c) <= kRmsOverAssumed;
+  const bool known = o.known();
+  const bool passes = std::all_of(c.tests.begin(), c.tests.end(), [&](const TrendTest& t) {
+    return !t.counts || t.p_corrected >= kSuffices || !(known || t.test == "scatter");
+  });
+  return passes && !beyond_assumed(c.solution.residuals, o);
 }
 
 void sort_by_bic(std::vector<Candidate>& list) {
   std::stable_sort(list.begin(), list.end(),
                    [](const Candidate& a, const Candidate& b) { return a.bic < b.bic; });
-}
-
-double pattern_bic(const Pattern& p, const Observations& o) {
-  return score(o, p.chi2) + p.parameters * std::log(static_cast<double>(o.list.size()));
 }
 
 const Pattern* best_pattern(const std::vector<Pattern>& patterns, const Observations& o) {
@@ -107,6 +105,11 @@ std::vector<Candidate> fit_pairs(const Study& study, const Observations& observa
 }
 
 }  // namespace
+
+double pattern_bic(const Pattern& p, const Observations& o) {
+  if (p.residuals.empty()) return std::numeric_limits<double>::infinity();
+  return score(o, p.residuals) + p.parameters * std::log(static_cast<double>(o.list.size()));
+}
 
 bool velocities_spread(const Study& study) {
   constexpr double least_spread = 1.05;
@@ -173,10 +176,10 @@ Diagnosis diagnose(const Study& study, const Observations& observations) {
     return c.added.empty() || (c.acts && c.bic < bic_of_none);
   });
 
-  const Noise& noise = observations.noise;
   std::vector<const Candidate*> leading;
   const Pattern* pattern = best_pattern(d.patterns, observations);
-  const bool fails = residuals_fail(d.baseline().tests, d.baseline().solution.residuals, noise);
+  const bool fails =
+      residuals_fail(d.baseline().tests, d.baseline().solution.residuals, observations);
   const bool held_back = d.baseline().held_back();
   if (!fails) {
     d.verdict = held_back ? Verdict::ambiguous : Verdict::no_missing_effect;
@@ -194,12 +197,12 @@ Diagnosis diagnose(const Study& study, const Observations& observations) {
     const Candidate& none = d.baseline();
     std::vector<const Candidate*> enough;
     for (const Candidate& c : d.ranking) {
-      if (!c.added.empty() && suffices(c, none, noise)) enough.push_back(&c);
+      if (!c.added.empty() && suffices(c, none, observations)) enough.push_back(&c);
     }
     if (enough.empty()) {
       d.pairs = fit_pairs(study, observations, d.ranking);
       for (const Candidate& c : d.pairs) {
-        if (suffices(c, none, noise) && c.bic < d.ranking.front().bic - kClears)
+        if (suffices(c, none, observations) && c.bic < d.ranking.front().bic - kClears)
           enough.push_back(&c);
       }
       d.verdict = enough.empty() ? Verdict::unexplained : Verdict::ambiguous;
@@ -211,8 +214,8 @@ Diagnosis diagnose(const Study& study, const Observations& observations) {
       const bool single = enough.front()->added.size() == 1;
       if (single && !enough.front()->plausible) {
         // With an assumed noise BIC itself is uncertain: any plausible one that suffices is named.
-        const double within = noise.known() ? enough.front()->bic + kPlausibleWithin
-                                            : std::numeric_limits<double>::infinity();
+        const double within = observations.known() ? enough.front()->bic + kPlausibleWithin
+                                                   : std::numeric_limits<double>::infinity();
         const auto plausible = std::find_if(enough.begin(), enough.end(), [&](const Candidate* c) {
           return c->plausible && c->bic < within;
         });

@@ -6,8 +6,8 @@
 ///    Holm, at kAlarm) nothing is missing: `no_missing_effect`. A fit at a bound is never that sure: then
 ///    `ambiguous`, and nothing is named.
 /// 2. Every effect of the catalogue is added and fitted. A candidate *suffices* when its own residuals
-///    pass and it clears the baseline by kClears of BIC. With an assumed noise "pass" is an rms of at
-///    most twice that noise.
+///    pass and it clears the baseline by kClears of BIC. Rows with an
+///    assumed noise pass with an rms of at most twice that noise.
 /// 3. The best that suffices is named alone, `missing_effect`, when it leads every other one that
 ///    suffices by kApart, is not at a bound, nor the baseline at one with plausible values, it leads
 ///    foreign patterns (patterns.h) as well, and it is plausible or no plausible one that suffices is
@@ -52,6 +52,9 @@ struct Diagnosis {
   const Candidate& baseline() const { return get("none"); }
   const Candidate& get(const std::string& name) const;  ///< single or pair
 };
+
+/// A foreign pattern on the same scale as the candidates; infinity where none was found.
+double pattern_bic(const Pattern& pattern, const Observations& observations);
 
 /// Throws InvalidInput for rows that cannot decide anything: fewer than four, or one velocity only.
 Diagnosis diagnose(const Study& study, const Observations& observations);

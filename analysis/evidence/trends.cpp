@@ -58,15 +58,15 @@ double log_choose(unsigned a, unsigned b) {
   return log_factorial(a) - log_factorial(b) - log_factorial(a - b);
 }
 
+}  // namespace
+
 bool spread(const std::vector<double>& x) {
   return std::adjacent_find(x.begin(), x.end(), std::not_equal_to<>()) != x.end();
 }
 
-}  // namespace
-
-double scatter_p_value(const std::vector<double>& residuals, int fitted) {
-  const int degrees = static_cast<int>(residuals.size()) - fitted;
-  if (degrees < 1) return 1.0;
+double scatter_p_value(const std::vector<double>& residuals, double fitted) {
+  const double degrees = static_cast<double>(residuals.size()) - fitted;
+  if (degrees < 1.0) return 1.0;
   double sum = 0.0;
   for (const double r : residuals) sum += r * r;
   return cdf(complement(boost::math::chi_squared(degrees), sum));
@@ -156,17 +156,19 @@ double runs_p_value(const std::vector<double>& x, const std::vector<double>& res
 }
 
 void correct_for_number(std::vector<TrendTest>& tests) {
-  std::vector<TrendTest*> counted;
-  for (TrendTest& t : tests) {
-    t.p_corrected = t.p_value;
-    if (t.counts) counted.push_back(&t);
-  }
-  std::stable_sort(counted.begin(), counted.end(),
-                   [](const TrendTest* a, const TrendTest* b) { return a->p_value < b->p_value; });
-  double largest = 0.0;
-  for (std::size_t i = 0; i < counted.size(); ++i) {
-    largest = std::max(largest, static_cast<double>(counted.size() - i) * counted[i]->p_value);
-    counted[i]->p_corrected = std::min(1.0, largest);
+  for (const bool counts : {true, false}) {
+    std::vector<TrendTest*> family;
+    for (TrendTest& t : tests) {
+      if (t.counts == counts) family.push_back(&t);
+    }
+    std::stable_sort(family.begin(), family.end(), [](const TrendTest* a, const TrendTest* b) {
+      return a->p_value < b->p_value;
+    });
+    double largest = 0.0;
+    for (std::size_t i = 0; i < family.size(); ++i) {
+      largest = std::max(largest, static_cast<double>(family.size() - i) * family[i]->p_value);
+      family[i]->p_corrected = std::min(1.0, largest);
+    }
   }
 }
 

@@ -15,9 +15,9 @@ namespace powderlink::analysis {
 
 namespace {
 
-std::string quality(const Candidate& c, const Noise& noise) {
-  std::string text = fmt::format("rms {:.1f} %", 100.0 * c.rms_relative_error);
-  if (noise.known() && std::isfinite(c.chi2_per_dof()))
+std::string quality(const Candidate& c, const Observations& observations) {
+  std::string text = "rms " + rms_text(c.rms);
+  if (observations.known() && std::isfinite(c.chi2_per_dof()))
     text += fmt::format(", chi^2/dof {:.2g}", c.chi2_per_dof());
   return text;
 }
@@ -58,20 +58,19 @@ std::string parameter_text(const Candidate& c) {
 std::vector<std::string> verdict_words(const Study& study, const Observations& observations,
                                        const Diagnosis& d, const Pattern* pattern) {
   const Candidate& none = d.baseline();
-  const Noise& noise = observations.noise;
   std::vector<std::string> effects;
   for (const EffectChoice& e : study.effects) effects.push_back(e.name);
   const std::string model = effects.empty()
                                 ? "JKR with one Gamma and an instant stop"
                                 : fmt::format("the model with {}", fmt::join(effects, ", "));
   std::vector<std::string> words;
-  words.push_back("judged with " + noise.text());
+  words.push_back("judged with " + observations.noise_text);
   const bool undecided = d.verdict == Verdict::ambiguous && d.best.empty();
   if (d.verdict == Verdict::no_missing_effect || undecided) {
     words.push_back(fmt::format(
         "{} {} ({}){}. {}", model,
         undecided ? "agrees with the measurements" : "explains the measurements",
-        quality(none, noise),
+        quality(none, observations),
         undecided ? ", but only where its bounds end: whether an effect is missing cannot be told"
                   : "; no effect is missing that they could show",
         parameter_text(none)));
@@ -84,11 +83,11 @@ std::vector<std::string> verdict_words(const Study& study, const Observations& o
     return words;
   }
   words.push_back(
-      fmt::format("{} fails ({}): {}", model, quality(none, noise), failing_tests(none)));
+      fmt::format("{} fails ({}): {}", model, quality(none, observations), failing_tests(none)));
   tell_bounds(none, words);
   const auto describe = [&](const std::string& name) {
     const Candidate& c = d.get(name);
-    words.push_back(fmt::format("{}: {}, delta BIC {:+.1f}, {}; {}", name, quality(c, noise),
+    words.push_back(fmt::format("{}: {}, delta BIC {:+.1f}, {}; {}", name, quality(c, observations),
                                 c.bic - none.bic, parameter_text(c),
                                 c.plausible ? "plausible" : "IMPLAUSIBLE: " + c.why));
     tell_bounds(c, words);
@@ -118,9 +117,7 @@ std::vector<std::string> verdict_words(const Study& study, const Observations& o
       break;
   }
   if (pattern != nullptr) {
-    const double bic =
-        score(observations, pattern->chi2) +
-        pattern->parameters * std::log(static_cast<double>(observations.list.size()));
+    const double bic = pattern_bic(*pattern, observations);
     const bool rival = d.best.empty() || bic < d.get(d.best).bic + kApart;
     if (rival && bic < none.bic - kClears) {
       words.push_back("what an effect would have to explain: " + pattern->text +

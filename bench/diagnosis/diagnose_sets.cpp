@@ -56,11 +56,8 @@ Outcome examine(const std::filesystem::path& study_file) {
     o.detail += fmt::format(" {}:{:.1f}/{:.2g}/{:.1g}", c.name, c.bic - d.baseline().bic,
                             c.chi2_per_dof(), least_p_value(c.tests));
   }
-  const double n = static_cast<double>(observations.list.size());
   for (const Pattern& p : d.patterns) {
-    o.detail +=
-        fmt::format(" {}:{:.1f}", p.name,
-                    score(observations, p.chi2) + p.parameters * std::log(n) - d.baseline().bic);
+    o.detail += fmt::format(" {}:{:.1f}", p.name, pattern_bic(p, observations) - d.baseline().bic);
   }
   return o;
 }

@@ -141,15 +141,15 @@ TEST(Diagnosis, AnImplausibleLeaderDoesNotHideThePlausibleOne) {
   const Diagnosis d = diagnosed(s);
   EXPECT_EQ(d.verdict, Verdict::ambiguous);
   EXPECT_EQ(d.best, "finite_stop_pulse");
-  EXPECT_NEAR(d.baseline().rms_relative_error, 0.333, 0.002);
+  EXPECT_NEAR(rms_relative_error(d.baseline().rms), 0.333, 0.002);
   const Candidate& stop = d.get("finite_stop_pulse");
   EXPECT_TRUE(stop.plausible);
-  EXPECT_NEAR(stop.rms_relative_error, 0.065, 0.002);
+  EXPECT_NEAR(rms_relative_error(stop.rms), 0.065, 0.002);
   EXPECT_GE(stop.find("adhesive_energy_J_m2")->value, 0.05);
   EXPECT_LE(stop.find("adhesive_energy_J_m2")->value, 0.2);
   const Candidate& cutoff = d.get("psd_cutoff");
   EXPECT_FALSE(cutoff.plausible);
-  EXPECT_LT(cutoff.rms_relative_error, 0.03);
+  EXPECT_LT(rms_relative_error(cutoff.rms), 0.03);
   EXPECT_GT(cutoff.find("adhesive_energy_J_m2")->value, 80.0);
   EXPECT_GT(d.next.separation_sigma, 3.0);
 }
