@@ -226,9 +226,8 @@ Diagnosis diagnose(const Study& study, const Observations& observations) {
       }
       const bool foreign =
           pattern != nullptr && pattern_bic(*pattern, observations) < enough.front()->bic + kApart;
-      // Bounds that hold the baseline back may make any effect look needed; bounds beyond what is
-      // plausible do not.
-      const bool at_bound = enough.front()->held_back() || (held_back && none.plausible);
+      // A bound that holds the baseline back may make any effect look needed.
+      const bool at_bound = enough.front()->held_back() || held_back;
       d.verdict = single && leading.size() == 1 && !at_bound && !foreign ? Verdict::missing_effect
                                                                          : Verdict::ambiguous;
       const auto plausible = std::find_if(leading.begin(), leading.end(),

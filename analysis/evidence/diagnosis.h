@@ -9,7 +9,7 @@
 ///    pass and it clears the baseline by kClears of BIC. Rows with an
 ///    assumed noise pass with an rms of at most twice that noise.
 /// 3. The best that suffices is named alone, `missing_effect`, when it leads every other one that
-///    suffices by kApart, is not at a bound, nor the baseline at one with plausible values, it leads
+///    suffices by kApart, is not at a bound, nor is the baseline, it leads
 ///    foreign patterns (patterns.h) as well, and it is plausible or no plausible one that suffices is
 ///    within 4 of BIC (with an assumed noise: at all). Otherwise `ambiguous`; all that cannot be told
 ///    apart are named, and with an implausible leader that plausible one, which then is `best`.

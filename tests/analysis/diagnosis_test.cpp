@@ -208,6 +208,13 @@ TEST(Diagnosis, ABoundOfGammaIsNeverConfidentAndAlwaysTold) {
       EXPECT_TRUE(told(c.words, sentence));
     }
   }
+  // As well where Gamma is implausible: 16 % short, an effect would be named.
+  Study strong = steel_study(95.0, {}, 0.02);
+  strong.adhesive_energy.upper_J_m2 = 80.0;
+  const Diagnosis short_of = diagnosed(strong);
+  EXPECT_EQ(short_of.verdict, Verdict::ambiguous);
+  EXPECT_FALSE(short_of.best.empty());
+  EXPECT_TRUE(told(short_of.words, "widen the bounds"));
   Study s = steel_study(4.0, {}, 1e-3);
   s.adhesive_energy.upper_J_m2 = 1.01 * 4.0;
   const Observations o = observe(s);
