@@ -122,6 +122,29 @@ TEST(EvidenceCommands, AddTakesTwoEffects) {
   EXPECT_NE(three.err.find("two as a+b"), std::string::npos) << three.err;
 }
 
+TEST(EvidenceCommands, DiagnoseSaysHowToAddBothOfTwoEffects) {
+  // Flat at low v, as a cut-off makes it, and less steep than any single effect at high v.
+  const TestFolder folder;
+  std::string csv = "impact_velocity_m_s,critical_diameter_um,critical_diameter_sigma_um\n";
+  for (const double v : {1.0, 1.4, 1.9, 2.5, 3.2, 4.0, 4.9, 5.9}) {
+    const double d = 60.0 / std::pow(1.0 + std::pow(v / 2.0, 6.4), 0.125);
+    csv += std::to_string(v) + "," + std::to_string(d) + "," + std::to_string(0.01 * d) + "\n";
+  }
+  folder.write("drop.csv", csv);
+  const auto study = folder.write(
+      "study.toml",
+      "[study]\nexperiment = \"kat_critical_diameter\"\nmeasurements = \"drop.csv\"\n"
+      "[particle]\nmaterial = \"316L\"\n[substrate]\nmaterial = \"borosilicate_glass\"\n"
+      "[fit]\nadhesive_energy_J_m2 = [0.001, 1000.0]\n");
+  const std::string json = (folder.path() / "d.json").string();
+  const CommandResult r = powderlink("diagnose " + study.string() + " --json " + json);
+  ASSERT_EQ(r.status, 0) << r.err;
+  const std::string best = nlohmann::json::parse(read_file(json)).at("best");
+  ASSERT_NE(best.find('+'), std::string::npos) << best;
+  EXPECT_NE(r.out.find("powderlink add " + study.string() + " " + best + " -o "), std::string::npos)
+      << r.out;
+}
+
 TEST(EvidenceCommands, EveryQuantityHasItsOwnUnit) {
   const TestFolder folder;
   folder.write("drops.csv", "impact_velocity_m_s,critical_diameter_um\n1,91\n2,38\n3,24\n4,17\n");
