@@ -49,6 +49,7 @@ struct KatRow {
   std::optional<double> area_ratio{};
   std::optional<double> residual_velocity_m_s{}, residual_velocity_sigma_m_s{};
   std::map<std::string, double> other{};  ///< unknown columns whose cells are all numbers
+  std::size_t table = 0;                  ///< position in the study's list of tables
 
   enum class Kind { critical_diameter, retained_share, residual_speed };
   Kind kind() const {

@@ -18,7 +18,8 @@ namespace powderlink::analysis {
 
 namespace {
 
-const std::vector<std::string> kExperiments = {"kat_critical_diameter", "kat_retention"};
+constexpr const char* kRetention = "kat_retention";
+const std::vector<std::string> kExperiments = {"kat_critical_diameter", kRetention};
 constexpr const char* kPulseEffect = "finite_stop_pulse";
 constexpr int kFewestParticles = 8;  // with fewer a bracket hardly shrinks from run to run
 constexpr int kMostParticles = 100000;
@@ -189,16 +190,15 @@ void read_rows(const StrictTable& root, const StrictTable& study_table, const St
   if (csv) {
     for (const std::string& table : tables) {
       study.measurements.push_back(study.file.parent_path() / table);
-      const Measurements m = read_measurements(study.measurements.back());
+      Measurements m = read_measurements(study.measurements.back());
+      for (KatRow& row : m.rows) row.table = study.measurements.size() - 1;
       study.rows.insert(study.rows.end(), m.rows.begin(), m.rows.end());
       if (!m.unknown_columns.empty()) {
         study.notes.push_back(fmt::format("{}: columns that are not used: {}", m.table.file,
                                           fmt::join(m.unknown_columns, ", ")));
       }
     }
-    // A column that only some rows have is no column of the study.
-    for (KatRow& row : study.rows) {
-      if (tables.size() > 1) row.other.clear();
+    for (const KatRow& row : study.rows) {
       if (row.adhesive_energy_J_m2.has_value() !=
               study.rows.front().adhesive_energy_J_m2.has_value() ||
           row.contact_time_us.has_value() != study.rows.front().contact_time_us.has_value()) {
@@ -217,6 +217,24 @@ void read_rows(const StrictTable& root, const StrictTable& study_table, const St
   for (const double v : *velocities) {
     study.rows.push_back({require_velocity_m_s(v, kat.place("velocities_m_s"))});
   }
+}
+
+/// What the study says that it measures, against what its tables hold.
+void check_experiment(const StrictTable& about, const Study& study) {
+  if (study.measurements.empty()) return;
+  const auto counts = std::find_if(study.rows.begin(), study.rows.end(), [](const KatRow& row) {
+    return row.kind() == KatRow::Kind::retained_share;
+  });
+  const bool retention = study.experiment == kRetention;
+  if (retention == (counts != study.rows.end())) return;
+  throw InvalidInput(
+      about.place("experiment"), "\"" + study.experiment + "\"",
+      retention ? "a table with count_before and count_after, or with before_files and after_files"
+                : fmt::format("no counts of grains, as {} has",
+                              study.measurements[counts->table].filename().string()),
+      retention
+          ? "name such a table, or write \"kat_critical_diameter\""
+          : fmt::format("write \"{}\": its tables may hold critical diameters too", kRetention));
 }
 
 }  // namespace
@@ -250,6 +268,7 @@ Study read_study(const std::filesystem::path& file) {
       });
   study.kat = read_kat(kat, rate_dependent);
   read_rows(root, about, kat, study);
+  check_experiment(about, study);
 
   const bool energy_in_rows = study.rows.front().adhesive_energy_J_m2.has_value();
   study.adhesive_energy = read_energy(root, !energy_in_rows);

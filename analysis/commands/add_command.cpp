@@ -8,6 +8,7 @@
 
 #include "analysis/commands/commands.h"
 #include "analysis/critical_diameter.h"
+#include "analysis/evidence/added_effects.h"
 #include "analysis/evidence/study_text.h"
 #include "analysis/evidence/verdict_words.h"
 #include "analysis/kat/drop_script.h"
@@ -77,13 +78,13 @@ void run(const Options& o) {
                        "name a new file; the study stays as it is");
   }
   const Observations observations = observe(study);
-  const Candidate c = fit_candidate(study, observations, names);
+  const Candidate c = fit_added(study, observations, names);
   write_file(o.output, study_text(study, c, o.output));
   if (!o.script.empty()) write_file(o.script, script_text(study, c));
 
-  fmt::print("{}: {} with {}\n- {}\n- {}: {}\n- rms relative error of the reduced model {:.2f} %\n",
-             o.output, study.name, c.name, parameter_text(c),
-             c.plausible ? "plausible" : "IMPLAUSIBLE", c.why, 100.0 * c.rms_relative_error);
+  fmt::print("{}: {} with {}\n- {}\n- {}: {}\n- reduced model: {}\n", o.output, study.name, c.name,
+             parameter_text(c), c.plausible ? "plausible" : "IMPLAUSIBLE", c.why,
+             rms_sentence(c.rms));
   fmt::print("\npowderlink compare {} --backend dem  shows the error with LIGGGHTS\n", o.output);
 }
 

@@ -11,6 +11,7 @@
 #include "analysis/evidence/comparison.h"
 #include "analysis/evidence/dem_prediction.h"
 #include "analysis/evidence/evidence_json.h"
+#include "analysis/evidence/quantity.h"
 #include "analysis/kat/drop_run.h"
 #include "analysis/text_table.h"
 #include "analysis/units.h"
@@ -33,6 +34,11 @@ std::string bounds_text(const ProfileInterval& i) {
                      i.open_high ? " or more" : "");
 }
 
+std::string quantity_with_unit(KatRow::Kind kind) {
+  const Quantity& q = quantity_of(kind);
+  return *q.unit == '\0' ? q.name : fmt::format("{} [{}]", q.name, q.unit + 1);
+}
+
 void print(const Comparison& c, const Study& study, const Observations& observations) {
   TextTable points(
       {"v [m/s]", "d [um]", "measured", "sigma", "model", "error", "residual [sigma]", "of"});
@@ -40,7 +46,6 @@ void print(const Comparison& c, const Study& study, const Observations& observat
   for (std::size_t i = 0; i < c.model.size(); ++i) {
     const Observation& o = observations.list[i];
     const bool diameter = o.row.kind() == KatRow::Kind::critical_diameter;
-    const bool share = o.row.kind() == KatRow::Kind::retained_share;
     const double error = o.error(c.model[i]);
     points.add(
         {fmt::format("{:g}", o.row.impact_velocity_m_s),
@@ -49,10 +54,7 @@ void print(const Comparison& c, const Study& study, const Observations& observat
          diameter ? fmt::format("{:.1f} %", 100.0 * o.sigma) : fmt::format("{:.2g}", o.sigma),
          fmt::format("{:.4g}", c.model[i]),
          diameter ? fmt::format("{:+.1f} %", 100.0 * error) : fmt::format("{:+.3g}", error),
-         fmt::format("{:+.2f}", c.residuals[i]),
-         diameter ? "critical diameter [um]"
-         : share  ? "retained share"
-                  : "residual speed [m/s]"});
+         fmt::format("{:+.2f}", c.residuals[i]), quantity_with_unit(o.row.kind())});
   }
   TextTable parameters({"parameter", "value", "unit", "68 % interval", "plausible"});
   parameters.flush_left(2);
@@ -66,8 +68,8 @@ void print(const Comparison& c, const Study& study, const Observations& observat
   }
   fmt::print("{}: {} on {}\n\n{}\n{}\n", study.name, study.particle.name, study.substrate.name,
              points.text(), parameters.text());
-  fmt::print("rms relative error {:.2f} %, chi^2/dof {:.3g}\nverdict: {}\n",
-             100.0 * c.rms_relative_error, c.chi2_per_dof, to_string(c.verdict));
+  fmt::print("{}, chi^2/dof {:.3g}\nverdict: {}\n", rms_sentence(c.rms), c.chi2_per_dof,
+             to_string(c.verdict));
   for (const std::string& sentence : c.words) fmt::print("- {}\n", sentence);
 }
 

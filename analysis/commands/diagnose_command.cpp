@@ -21,11 +21,9 @@ std::string ranking_table(const Diagnosis& d) {
   TextTable t({"effect", "delta BIC", "rms", "chi^2/dof", "left out", "plausible", "parameters"});
   t.flush_left(6);
   const auto add = [&](const Candidate& c) {
-    t.add({c.name, fmt::format("{:+.1f}", c.bic - d.baseline().bic),
-           fmt::format("{:.1f} %", 100.0 * c.rms_relative_error),
-           fmt::format("{:.2f}", c.chi2_per_dof()),
-           fmt::format("{:.1f} %", 100.0 * c.loo_rms_relative_error), c.plausible ? "yes" : "NO",
-           c.acts ? parameter_text(c) : c.why});
+    t.add({c.name, fmt::format("{:+.1f}", c.bic - d.baseline().bic), rms_text(c.rms),
+           fmt::format("{:.2f}", c.chi2_per_dof()), rms_text(c.left_out),
+           c.plausible ? "yes" : "NO", c.acts ? parameter_text(c) : c.why});
   };
   for (const Candidate& c : d.ranking) add(c);
   for (std::size_t i = 0; i < d.pairs.size() && i < 3; ++i) add(d.pairs[i]);
@@ -45,8 +43,7 @@ void run(const std::string& file, const std::string& json) {
   for (const std::string& sentence : d.words) fmt::print("- {}\n", sentence);
   fmt::print("- next measurement: {}\n\n{}", d.next.text, ranking_table(d));
   if (!d.best.empty()) {
-    fmt::print("\npowderlink add {} {} -o NEWSTUDY  writes the study with it\n", file,
-               d.get(d.best).added.front());
+    fmt::print("\npowderlink add {} {} -o NEWSTUDY  writes the study with it\n", file, d.best);
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <memory>
 
@@ -74,15 +75,19 @@ void run(const Options& o) {
     if (count > 1) prefix += fmt::format("_{}", count);
     page.figures.push_back(draw_study(*r, page.folder, prefix));
   }
-  if (page.results.size() > 1) page.staircase = draw_staircase(page.results, page.folder);
+  const bool all_diameters = std::all_of(
+      page.results.begin(), page.results.end(),
+      [](const auto& r) { return std::isfinite(rms_relative_error(r->comparison.rms)); });
+  if (page.results.size() > 1 && all_diameters)
+    page.staircase = draw_staircase(page.results, page.folder);
   page.version = POWDERLINK_VERSION;
   page.facts = provenance(page.version, inputs);
   write_file(output, html(page));
 
   for (const auto& r : page.results) {
     fmt::print(
-        "{}: {}, rms relative error {:.2f} %{}{}\n", r->study.name,
-        to_string(r->comparison.verdict), 100.0 * r->comparison.rms_relative_error,
+        "{}: {}, {}{}{}\n", r->study.name, to_string(r->comparison.verdict),
+        rms_sentence(r->comparison.rms),
         r->dem ? fmt::format(", with LIGGGHTS {:.2f} %", 100.0 * r->dem->rms_relative_error) : "",
         r->diagnosis ? "; " + to_string(r->diagnosis->verdict) : "");
   }

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <utility>
 
 #include "analysis/evidence/candidate_parameters.h"
@@ -39,18 +40,12 @@ void hold_what_is_not_needed(Setting& s, FitSolution& solution, const Study& stu
         less.slots.empty()
             ? least_squares(less.problem, start)
             : solve(less, {suit_energy(less, observations, start, 8).first}, study, observations);
-    const double worse = score(observations, held.chi2) + held.prior -
-                         score(observations, solution.chi2) - solution.prior;
+    const double worse = score(observations, held.residuals) + held.prior -
+                         score(observations, solution.residuals) - solution.prior;
     if (worse > per_parameter) continue;
     s = std::move(less);
     solution = std::move(held);
   }
-}
-
-double rms(const std::vector<double>& relative) {
-  double sum = 0.0;
-  for (const double e : relative) sum += e * e;
-  return std::sqrt(sum / static_cast<double>(relative.size()));
 }
 
 /// \param s  its bounds may be narrower than the registry's
@@ -80,30 +75,42 @@ Candidate fit(const Study& study, const Observations& observations, Setting s,
   apply(c.hypothesis, s.slots, c.solution.values);
   c.problem = s.problem;
   list_parameters(c, s, study);
-  std::vector<double> relative;
+  std::vector<double> errors;
   std::vector<double> left_out;
   const std::vector<double> loo = leave_one_out(c.solution);
   for (std::size_t i = 0; i < n; ++i) {
     const Observation& o = observations.list[i];
     c.predicted.push_back(predicted(study, c.hypothesis, o.row));
-    relative.push_back(o.error(c.predicted.back()));
+    errors.push_back(o.error(c.predicted.back()));
     left_out.push_back(loo[i] * o.sigma);
   }
-  c.rms_relative_error = rms(relative);
-  c.loo_rms_relative_error = rms(left_out);
-  c.bic = score(observations, c.solution.chi2) + c.solution.prior +
+  c.rms = rms_errors(observations, errors);
+  c.left_out = rms_errors(observations, left_out);
+  c.bic = score(observations, c.solution.residuals) + c.solution.prior +
           c.fitted() * std::log(static_cast<double>(n));
-  c.tests = residual_tests(study, observations, c.solution.residuals, c.fitted());
+  c.tests = residual_tests(observations, c.predicted, c.solution);
   judge_plausibility(c, study);
   return c;
 }
 
 }  // namespace
 
-double score(const Observations& o, double chi2) {
-  if (o.noise.known()) return chi2;
-  const double n = static_cast<double>(o.list.size());
-  return (n + kNoiseFreedom) * std::log1p(chi2 / kNoiseFreedom);
+double score(const Observations& o, const std::vector<double>& residuals) {
+  double known = 0.0;
+  std::map<KatRow::Kind, std::pair<double, double>> assumed;  // rows and chi^2
+  for (std::size_t i = 0; i < residuals.size(); ++i) {
+    const double square = residuals[i] * residuals[i];
+    if (o.list[i].known()) {
+      known += square;
+      continue;
+    }
+    auto& [rows, chi2] = assumed[o.list[i].row.kind()];
+    rows += 1.0;
+    chi2 += square;
+  }
+  for (const auto& [kind, sums] : assumed)
+    known += (sums.first + kNoiseFreedom) * std::log1p(sums.second / kNoiseFreedom);
+  return known;
 }
 
 double Candidate::chi2_per_dof() const {
@@ -118,9 +125,9 @@ const ParameterEstimate* Candidate::find(const std::string& wanted) const {
   return nullptr;
 }
 
-bool Candidate::at_bound() const {
+bool Candidate::held_back() const {
   return std::any_of(parameters.begin(), parameters.end(),
-                     [](const ParameterEstimate& p) { return p.at_bound; });
+                     [](const ParameterEstimate& p) { return p.held_back; });
 }
 
 Candidate fit_candidate(const Study& study, const Observations& observations,

@@ -3,8 +3,10 @@
 /// One explanation of a study's measurements: its effects and what is added to them, fitted.
 ///
 ///   known noise    score = chi^2
-///   assumed noise  score = (n + nu) ln(1 + chi^2/nu), nu = 2: the noise itself is uncertain
+///   assumed noise  score = (m + nu) ln(1 + chi^2/nu), nu = 2: the noise itself is uncertain
 ///   BIC = score + prior + k ln n
+///
+/// Rows of known noise add their chi^2, and each kind of rows with an assumed one its own m and chi^2.
 ///
 /// Known beforehand: a fitted value outside its plausible range costs the square of the decades that it
 /// is off, in the fit and in BIC. And values outside are taken only if the data insist: if the best fit
@@ -20,6 +22,7 @@
 
 #include "analysis/evidence/least_squares.h"
 #include "analysis/evidence/observation.h"
+#include "analysis/evidence/quantity_error.h"
 #include "analysis/evidence/trends.h"
 
 namespace powderlink::analysis {
@@ -32,6 +35,7 @@ struct ParameterEstimate {
   Role role = Role::fixed;
   double lower = 0.0, upper = 0.0;  ///< bounds of the fit
   bool at_bound = false;
+  bool held_back = false;  ///< by a bound that the study set, or that chi^2 pushes it against
   double plausible_lower = 0.0, plausible_upper = 0.0;
   std::string source;  ///< of the plausible range
   bool plausible() const { return value >= plausible_lower && value <= plausible_upper; }
@@ -46,8 +50,7 @@ struct Candidate {
   FitSolution solution;
   std::vector<double> predicted;
   double bic = 0.0;
-  double rms_relative_error = 0.0;
-  double loo_rms_relative_error = 0.0;
+  std::vector<QuantityError> rms, left_out;  ///< errors of the fit, and of rows left out
   std::vector<TrendTest> tests;
   bool plausible = true;
   bool acts = true;  ///< false: these observations cannot show the added effect
@@ -56,18 +59,18 @@ struct Candidate {
   int fitted() const { return static_cast<int>(solution.values.size()); }
   double chi2_per_dof() const;
   const ParameterEstimate* find(const std::string& name) const;
-  /// A fitted parameter stopped at a bound: the candidate may be better than it looks.
-  bool at_bound() const;
+  /// A bound held a fitted parameter back: the candidate may be better than it looks.
+  bool held_back() const;
 };
 
 /// BIC differences below this do not tell two explanations apart.
 inline constexpr double kApart = 2.0;
 
-/// What BIC adds its penalty to.
-double score(const Observations& observations, double chi2);
+/// What BIC adds its penalty to. \param residuals  one per row, in sigmas
+double score(const Observations& observations, const std::vector<double>& residuals);
 
-/// Two added effects are estimated together (Hypothesis::estimated) and tried from `near` only; one or
-/// none is searched for within the bounds too.
+/// Two added effects are estimated together (Hypothesis::estimated) and tried from `near` only (without
+/// any: InvalidInput); one or none is searched for within the bounds too. See added_effects.h.
 /// \param study, observations  must outlive the result
 /// \param near  explanations to start from
 Candidate fit_candidate(const Study& study, const Observations& observations,

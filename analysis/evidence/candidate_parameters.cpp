@@ -25,12 +25,18 @@ void mark_bound_of_study(Candidate& c, const Study& study) {
                                        [](const ParameterEstimate& p) { return !p.plausible(); });
   if (!implausible || bounds.fixed() || bounds.upper_J_m2 >= kPlausibleEnergy_J_m2) return;
   for (ParameterEstimate& p : c.parameters) {
-    if (p.effect.empty() && p.role == ParameterEstimate::Role::fitted)
-      p.at_bound = p.at_bound || p.value * margin >= bounds.upper_J_m2;
+    if (p.effect.empty() && p.role == ParameterEstimate::Role::fitted &&
+        p.value * margin >= bounds.upper_J_m2)
+      p.at_bound = p.held_back = true;
   }
 }
 
 }  // namespace
+
+std::string bound_text(const ParameterEstimate& p) {
+  return fmt::format("{} = {:.4g} stopped at a bound of the fit, {:g} to {:g}{}", p.name, p.value,
+                     p.lower, p.upper, p.held_back ? "" : "; the data do not mind");
+}
 
 void list_parameters(Candidate& c, const Setting& s, const Study& study) {
   const auto slot_of = [&](int effect, std::size_t parameter) -> std::optional<std::size_t> {
@@ -44,7 +50,12 @@ void list_parameters(Candidate& c, const Setting& s, const Study& study) {
     p.role = ParameterEstimate::Role::fitted;
     p.lower = s.problem.parameters[j].lower;
     p.upper = s.problem.parameters[j].upper;
-    p.at_bound = c.solution.at_bound[j];
+    // The end of a plausible range is no bound of the data: it counts when they push against it.
+    const bool at_lower = p.value - p.lower < p.upper - p.value;
+    const bool narrowed = at_lower ? p.lower > s.slots[j].lower : p.upper < s.slots[j].upper;
+    p.at_bound = c.solution.at_bound[j] && (!narrowed || c.solution.pushed);
+    // Beyond the registry's own bounds an effect often acts no more: the data need not mind.
+    p.held_back = p.at_bound && (!s.slots[j].of_added || c.solution.pushed);
   };
   if (!study.rows.front().adhesive_energy_J_m2) {
     ParameterEstimate p;
@@ -87,8 +98,7 @@ void judge_plausibility(Candidate& c, const Study& study) {
                                     unit == "-" ? "" : " " + unit, p.plausible_lower,
                                     p.plausible_upper, p.source));
     }
-    if (p.at_bound)
-      reasons.push_back(fmt::format("{} stopped at a bound, {:.3g}", p.name, p.value));
+    if (p.at_bound) reasons.push_back(bound_text(p));
     c.plausible = c.plausible && p.plausible();
   }
   c.why = reasons.empty() ? "all parameters are within their plausible ranges"

@@ -6,6 +6,8 @@
 /// Source: plausible ranges of models/effects.def. Tests: tests/analysis/study_fit_test.cpp
 #pragma once
 
+#include <string>
+
 #include "analysis/evidence/candidate.h"
 #include "analysis/evidence/candidate_setting.h"
 
@@ -13,6 +15,9 @@ namespace powderlink::analysis {
 
 /// \param c  its hypothesis and solution are known
 void list_parameters(Candidate& c, const Setting& s, const Study& study);
+
+/// "x = 3.6 stopped at a bound of the fit, 0.001 to 3.6".
+std::string bound_text(const ParameterEstimate& p);
 
 /// plausible and why, from the listed parameters.
 void judge_plausibility(Candidate& c, const Study& study);

@@ -23,6 +23,8 @@ double decades_off(double value, const Slot& slot) {
 
 void add_slot(Setting& s, Slot slot, const std::string& name, double lower, double upper,
               double start) {
+  slot.lower = lower;
+  slot.upper = upper;
   s.slots.push_back(slot);
   const bool scale = lower > 0.0 && upper > kScale * lower;
   s.problem.parameters.push_back({name, lower, upper, start, scale});

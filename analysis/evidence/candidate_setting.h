@@ -27,6 +27,7 @@ struct Slot {
   std::size_t parameter = 0;
   bool of_added = false;
   double plausible_lower = 0.0, plausible_upper = 0.0;
+  double lower = 0.0, upper = 0.0;  ///< of the study or the registry; a fit may take narrower ones
 };
 
 struct Setting {

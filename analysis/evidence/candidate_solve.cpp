@@ -12,24 +12,37 @@ namespace powderlink::analysis {
 
 namespace {
 
+using Correction = decltype(Hypothesis::correction);
+
 /// Hypothesis::correction at these values.
-std::map<double, double> correction_at(const Study& study, const Setting& s,
-                                       const std::vector<double>& values) {
+Correction correction_at(const Study& study, const Setting& s, const std::vector<double>& values) {
   constexpr double tolerance = 3e-4;  // of d_c
   Hypothesis h = s.hypothesis;
   apply(h, s.slots, values);
-  std::map<double, double> correction;
+  Correction correction;
   for (const KatRow& row : study.rows) {
+    if (row.kind() == KatRow::Kind::residual_speed) continue;
     const double v = row.impact_velocity_m_s;
-    if (row.kind() == KatRow::Kind::residual_speed || correction.count(v) > 0) continue;
+    std::map<double, double>& over_v = correction[conditions_of(row)];
+    if (over_v.count(v) > 0) continue;
     const ReducedModel model(row_setup(study, h.effects, row,
                                        row.adhesive_energy_J_m2.value_or(h.adhesive_energy_J_m2)));
     const CriticalDiameter integrated = critical_diameter(model, v, tolerance);
     const CriticalDiameter estimate = quick_critical_diameter(model, v, true);
     const bool both = integrated.found() && estimate.found();
-    correction[v] = both ? std::log(integrated.diameter_m / estimate.diameter_m) : 0.0;
+    over_v[v] = both ? std::log(integrated.diameter_m / estimate.diameter_m) : 0.0;
   }
   return correction;
+}
+
+/// Largest difference between two corrections of the same rows.
+double largest_change(const Correction& from, const Correction& to) {
+  double largest = 0.0;
+  for (const auto& [conditions, over_v] : from) {
+    for (const auto& [v, was] : over_v)
+      largest = std::max(largest, std::fabs(to.at(conditions).at(v) - was));
+  }
+  return largest;
 }
 
 /// Do corrected estimates change with Gamma as the integration does?
@@ -39,10 +52,7 @@ bool follows_energy(const Study& study, const Setting& s, std::vector<double> va
   if (s.slots.empty() || s.slots[0].effect >= 0) return true;
   const FitParameter& p = s.problem.parameters[0];
   values[0] *= std::exp(values[0] * std::exp(step) < p.upper ? step : -step);
-  const std::map<double, double> moved = correction_at(study, s, values);
-  return std::all_of(moved.begin(), moved.end(), [&](const auto& m) {
-    return std::fabs(m.second - s.hypothesis.correction.at(m.first)) < of_slope * step;
-  });
+  return largest_change(s.hypothesis.correction, correction_at(study, s, values)) < of_slope * step;
 }
 
 }  // namespace
@@ -61,12 +71,9 @@ FitSolution solve(Setting& s, const std::vector<std::vector<double>>& starts, co
   constexpr double settled = 1e-3;  // of d_c: the accuracy of all that is quick
   FitSolution solution = least_squares(s.problem, starts);
   for (int turn = 0; s.calibrated && turn < most_turns; ++turn) {
-    const std::map<double, double> before = s.hypothesis.correction;
+    const Correction before = s.hypothesis.correction;
     s.hypothesis.correction = correction_at(study, s, solution.values);
-    double change = before.empty() ? 1.0 : 0.0;
-    for (const auto& [v, was] : before)
-      change = std::max(change, std::fabs(s.hypothesis.correction.at(v) - was));
-    if (change < settled) break;
+    if (!before.empty() && largest_change(before, s.hypothesis.correction) < settled) break;
     define_residuals(s, study, observations);
     solution = least_squares(s.problem, solution.values);
   }

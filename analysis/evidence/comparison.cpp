@@ -9,7 +9,9 @@
 #include <limits>
 
 #include "analysis/critical_diameter.h"
+#include "analysis/evidence/candidate_parameters.h"
 #include "analysis/evidence/diagnosis.h"
+#include "analysis/evidence/quantity.h"
 #include "analysis/evidence/residual_checks.h"
 
 namespace powderlink::analysis {
@@ -31,8 +33,7 @@ std::vector<std::string> doubts(const Comparison& c, const Study& study) {
         "judged");
   }
   for (const ParameterEstimate& p : c.fit.parameters) {
-    if (p.at_bound)
-      words.push_back(fmt::format("{} = {:.4g} stopped at a bound of the fit", p.name, p.value));
+    if (p.at_bound) words.push_back(bound_text(p));
   }
   std::size_t at_end = 0;
   for (std::size_t i = 0; i < study.rows.size(); ++i) {
@@ -49,6 +50,15 @@ std::vector<std::string> doubts(const Comparison& c, const Study& study) {
         at_end, study.rows.size()));
   }
   return words;
+}
+
+/// "2 m/s (66.4 um)", "2 m/s, grains of 50 um (share 0.4)", "2 m/s, grains of 50 um (0.7 m/s)".
+std::string row_text(const Observation& o) {
+  const bool share = o.row.kind() == KatRow::Kind::retained_share;
+  return fmt::format(
+      "{:g} m/s{} ({}{:.3g}{})", o.row.impact_velocity_m_s,
+      o.row.diameter_um ? fmt::format(", grains of {:.3g} um", *o.row.diameter_um) : "",
+      share ? "share " : "", o.measured, quantity_of(o.row.kind()).unit);
 }
 
 }  // namespace
@@ -69,45 +79,46 @@ void judge(Comparison& c, const Study& study, const Observations& observations,
            const std::vector<double>& model) {
   c.model = model;
   c.residuals.clear();
-  double squares = 0.0;
-  double chi2 = 0.0;
+  std::vector<double> errors;
   const std::size_t n = model.size();
   for (std::size_t i = 0; i < n; ++i) {
     c.residuals.push_back(residual(observations.list[i], model[i]));
-    chi2 += c.residuals[i] * c.residuals[i];
-    squares += std::pow(observations.list[i].error(model[i]), 2);
+    errors.push_back(observations.list[i].error(model[i]));
   }
-  c.rms_relative_error = std::sqrt(squares / static_cast<double>(n));
+  const double chi2 = sum_of_squares(c.residuals);
+  c.rms = rms_errors(observations, errors);
   const int degrees = static_cast<int>(n) - c.fit.fitted();
   c.chi2_per_dof = degrees > 0 ? chi2 / degrees : std::numeric_limits<double>::quiet_NaN();
-  c.tests = residual_tests(study, observations, c.residuals, c.fit.fitted());
+  FitSolution judged = c.fit.solution;
+  judged.residuals = c.residuals;
+  c.tests = residual_tests(observations, model, judged);
 
   const std::vector<std::string> doubtful = doubts(c, study);
-  const bool fails = residuals_fail(c.tests, c.residuals, observations.noise);
+  const bool fails = residuals_fail(c.tests, c.residuals, observations);
   // Scatter at one velocity tells of the noise, not of the model.
   const bool can_fail = n >= kFewestRows && velocities_spread(study);
   c.verdict = fails && can_fail  ? Comparison::Verdict::fails
               : doubtful.empty() ? Comparison::Verdict::agrees
                                  : Comparison::Verdict::undecided;
-  c.words = {"judged with " + observations.noise.text()};
+  c.words = {"judged with " + observations.noise_text};
   c.words.insert(c.words.end(), doubtful.begin(), doubtful.end());
   std::vector<std::string> far;
   for (std::size_t i = 0; i < n; ++i) {
     if (std::fabs(c.residuals[i]) > kWorthNaming) {
-      far.push_back(fmt::format("{:g} m/s ({:.3g} um): {:+.1f}", study.rows[i].impact_velocity_m_s,
-                                observations.list[i].measured, c.residuals[i]));
+      far.push_back(row_text(observations.list[i]) + fmt::format(": {:+.1f}", c.residuals[i]));
     }
   }
   if (!far.empty())
     c.words.push_back(fmt::format("beyond 2 sigma (model - measured): {}", fmt::join(far, "; ")));
   for (const TrendTest& t : c.tests) {
-    if (t.counts && t.p_corrected < kAlarm) {
-      c.words.push_back(fmt::format("the residuals show a {} over {} (p = {:.1g})", t.test,
-                                    t.variable, t.p_corrected));
-    }
+    if (t.p_corrected >= kAlarm) continue;
+    c.words.push_back(fmt::format(
+        "the residuals show a {} over {} (p = {:.1g}){}", t.test, t.variable, t.p_corrected,
+        t.counts
+            ? ""
+            : "; no evidence against the model, as that column may depend on the measured value"));
   }
-  const double mean_square = chi2 / static_cast<double>(n);
-  if (fails && !observations.noise.known() && mean_square <= kRmsOverAssumed * kRmsOverAssumed) {
+  if (fails && !observations.known() && !beyond_assumed(c.residuals, observations)) {
     c.words.push_back(
         "what fails is the trend, not the size of the residuals, and the noise was assumed, not "
         "measured: errors of reading that change with velocity look the same; repeated drops or "
@@ -131,7 +142,7 @@ void judge(Comparison& c, const Study& study, const Observations& observations,
 std::vector<ProfileInterval> intervals_of(const Candidate& c, const Observations& observations) {
   const int degrees = static_cast<int>(observations.list.size()) - c.fitted();
   const double scatter = degrees > 0 ? c.solution.chi2 / degrees : 1.0;
-  const double rise = observations.noise.known() ? 1.0 : scatter;
+  const double rise = observations.known() ? 1.0 : scatter;
   std::vector<ProfileInterval> intervals;
   for (std::size_t j = 0; j < c.solution.values.size(); ++j)
     intervals.push_back(profile_interval(c.problem, c.solution, j, rise));

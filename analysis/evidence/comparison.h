@@ -20,9 +20,9 @@ struct Comparison {
   Candidate fit;
   std::vector<ProfileInterval> intervals;  ///< of the fitted parameters, in their order
   Uncertainty uncertainty;
-  std::vector<double> model;      ///< one per row [um]
+  std::vector<double> model;      ///< one per row [um], share or [m/s]
   std::vector<double> residuals;  ///< in sigmas
-  double rms_relative_error = 0.0;
+  std::vector<QuantityError> rms;
   double chi2_per_dof = 0.0;  ///< NaN without a degree of freedom
   std::vector<TrendTest> tests;
   Verdict verdict = Verdict::undecided;

@@ -8,6 +8,7 @@
 #include <limits>
 #include <utility>
 
+#include "analysis/evidence/added_effects.h"
 #include "analysis/evidence/residual_checks.h"
 #include "analysis/evidence/verdict_words.h"
 #include "models/effect_registry.h"
@@ -53,22 +54,20 @@ bool same_predictions(const Candidate& a, const Candidate& b) {
   return true;
 }
 
-double rms_sigma(const Candidate& c) {
-  return std::sqrt(c.solution.chi2 / static_cast<double>(c.predicted.size()));
-}
-
-bool suffices(const Candidate& c, const Candidate& baseline, const Noise& noise) {
+/// Trends tell little where the size of the noise is not known: there the scatter of the other rows
+/// alone is asked for.
+bool suffices(const Candidate& c, const Candidate& baseline, const Observations& o) {
   if (!c.acts || c.bic > baseline.bic - kClears) return false;
-  return noise.known() ? least_p_value(c.tests) >= kSuffices : rms_sigma(c) <= kRmsOverAssumed;
+  const bool known = o.known();
+  const bool passes = std::all_of(c.tests.begin(), c.tests.end(), [&](const TrendTest& t) {
+    return !t.counts || t.p_corrected >= kSuffices || !(known || t.test == "scatter");
+  });
+  return passes && !beyond_assumed(c.solution.residuals, o);
 }
 
 void sort_by_bic(std::vector<Candidate>& list) {
   std::stable_sort(list.begin(), list.end(),
                    [](const Candidate& a, const Candidate& b) { return a.bic < b.bic; });
-}
-
-double pattern_bic(const Pattern& p, const Observations& o) {
-  return score(o, p.chi2) + p.parameters * std::log(static_cast<double>(o.list.size()));
 }
 
 const Pattern* best_pattern(const std::vector<Pattern>& patterns, const Observations& o) {
@@ -98,7 +97,7 @@ std::vector<Candidate> fit_pairs(const Study& study, const Observations& observa
       const std::vector<std::string> added = {singles[i]->name, singles[j]->name};
       // A pair needs rows to spare.
       if (most_parameters(study, added) + 1 > observations.list.size()) continue;
-      pairs.push_back(fit_candidate(study, observations, added, {singles[i], singles[j]}));
+      pairs.push_back(fit_pair(study, observations, *singles[i], *singles[j]));
     }
   }
   sort_by_bic(pairs);
@@ -106,6 +105,11 @@ std::vector<Candidate> fit_pairs(const Study& study, const Observations& observa
 }
 
 }  // namespace
+
+double pattern_bic(const Pattern& p, const Observations& o) {
+  if (p.residuals.empty()) return std::numeric_limits<double>::infinity();
+  return score(o, p.residuals) + p.parameters * std::log(static_cast<double>(o.list.size()));
+}
 
 bool velocities_spread(const Study& study) {
   constexpr double least_spread = 1.05;
@@ -159,8 +163,7 @@ Diagnosis diagnose(const Study& study, const Observations& observations) {
       const bool there = std::any_of(study.effects.begin(), study.effects.end(),
                                      [&](const EffectChoice& e) { return e.name == name; });
       if (there || most_parameters(study, {name}) > observations.list.size()) continue;
-      // From the baseline too: an effect that hardly acts must not end in another valley than none.
-      Candidate c = fit_candidate(study, observations, {name}, {&baseline});
+      Candidate c = fit_single(study, observations, name, baseline);
       c.acts = !same_predictions(c, baseline);
       if (!c.acts) c.why = "it cannot be seen in these measurements, or its best fit is to vanish";
       d.ranking.push_back(std::move(c));
@@ -173,12 +176,13 @@ Diagnosis diagnose(const Study& study, const Observations& observations) {
     return c.added.empty() || (c.acts && c.bic < bic_of_none);
   });
 
-  const Noise& noise = observations.noise;
   std::vector<const Candidate*> leading;
   const Pattern* pattern = best_pattern(d.patterns, observations);
-  const bool fails = residuals_fail(d.baseline().tests, d.baseline().solution.residuals, noise);
+  const bool fails =
+      residuals_fail(d.baseline().tests, d.baseline().solution.residuals, observations);
+  const bool held_back = d.baseline().held_back();
   if (!fails) {
-    d.verdict = Verdict::no_missing_effect;
+    d.verdict = held_back ? Verdict::ambiguous : Verdict::no_missing_effect;
     // The simplest that suffices is the best, whatever a parameter more may gain by accident.
     std::stable_partition(d.ranking.begin(), d.ranking.end(),
                           [](const Candidate& c) { return c.added.empty(); });
@@ -193,12 +197,12 @@ Diagnosis diagnose(const Study& study, const Observations& observations) {
     const Candidate& none = d.baseline();
     std::vector<const Candidate*> enough;
     for (const Candidate& c : d.ranking) {
-      if (!c.added.empty() && suffices(c, none, noise)) enough.push_back(&c);
+      if (!c.added.empty() && suffices(c, none, observations)) enough.push_back(&c);
     }
     if (enough.empty()) {
       d.pairs = fit_pairs(study, observations, d.ranking);
       for (const Candidate& c : d.pairs) {
-        if (suffices(c, none, noise) && c.bic < d.ranking.front().bic - kClears)
+        if (suffices(c, none, observations) && c.bic < d.ranking.front().bic - kClears)
           enough.push_back(&c);
       }
       d.verdict = enough.empty() ? Verdict::unexplained : Verdict::ambiguous;
@@ -210,8 +214,8 @@ Diagnosis diagnose(const Study& study, const Observations& observations) {
       const bool single = enough.front()->added.size() == 1;
       if (single && !enough.front()->plausible) {
         // With an assumed noise BIC itself is uncertain: any plausible one that suffices is named.
-        const double within = noise.known() ? enough.front()->bic + kPlausibleWithin
-                                            : std::numeric_limits<double>::infinity();
+        const double within = observations.known() ? enough.front()->bic + kPlausibleWithin
+                                                   : std::numeric_limits<double>::infinity();
         const auto plausible = std::find_if(enough.begin(), enough.end(), [&](const Candidate* c) {
           return c->plausible && c->bic < within;
         });
@@ -222,9 +226,10 @@ Diagnosis diagnose(const Study& study, const Observations& observations) {
       }
       const bool foreign =
           pattern != nullptr && pattern_bic(*pattern, observations) < enough.front()->bic + kApart;
-      d.verdict = single && leading.size() == 1 && !enough.front()->at_bound() && !foreign
-                      ? Verdict::missing_effect
-                      : Verdict::ambiguous;
+      // A bound that holds the baseline back may make any effect look needed.
+      const bool at_bound = enough.front()->held_back() || held_back;
+      d.verdict = single && leading.size() == 1 && !at_bound && !foreign ? Verdict::missing_effect
+                                                                         : Verdict::ambiguous;
       const auto plausible = std::find_if(leading.begin(), leading.end(),
                                           [](const Candidate* c) { return c->plausible; });
       d.best = (plausible != leading.end() ? *plausible : leading.front())->name;

@@ -3,14 +3,16 @@
 /// Which effect is missing, if any: the rules of evidence.
 ///
 /// 1. The study's own model is fitted. Unless a test of its residuals fails (5 tests at most, after
-///    Holm, at kAlarm) nothing is missing: `no_missing_effect`.
+///    Holm, at kAlarm) nothing is missing: `no_missing_effect`. A fit at a bound is never that sure: then
+///    `ambiguous`, and nothing is named.
 /// 2. Every effect of the catalogue is added and fitted. A candidate *suffices* when its own residuals
-///    pass and it clears the baseline by kClears of BIC. With an assumed noise "pass" is an rms of at
-///    most twice that noise.
+///    pass and it clears the baseline by kClears of BIC. Rows with an
+///    assumed noise pass with an rms of at most twice that noise.
 /// 3. The best that suffices is named alone, `missing_effect`, when it leads every other one that
-///    suffices by kApart, is not at a bound, it leads foreign patterns (patterns.h) as well, and it is
-///    plausible or no plausible one that suffices is within 4 of BIC (with an assumed noise: at all). Otherwise `ambiguous`; all that cannot
-///    be told apart are named, and with an implausible leader that plausible one, which then is `best`.
+///    suffices by kApart, is not at a bound, nor is the baseline, it leads
+///    foreign patterns (patterns.h) as well, and it is plausible or no plausible one that suffices is
+///    within 4 of BIC (with an assumed noise: at all). Otherwise `ambiguous`; all that cannot be told
+///    apart are named, and with an implausible leader that plausible one, which then is `best`.
 /// 4. When none suffices, pairs are tried. A pair that does makes `ambiguous`: so many parameters
 ///    prove little. Else `unexplained`.
 /// Implausible parameters mark a candidate and do not remove it.
@@ -50,6 +52,9 @@ struct Diagnosis {
   const Candidate& baseline() const { return get("none"); }
   const Candidate& get(const std::string& name) const;  ///< single or pair
 };
+
+/// A foreign pattern on the same scale as the candidates; infinity where none was found.
+double pattern_bic(const Pattern& pattern, const Observations& observations);
 
 /// Throws InvalidInput for rows that cannot decide anything: fewer than four, or one velocity only.
 Diagnosis diagnose(const Study& study, const Observations& observations);

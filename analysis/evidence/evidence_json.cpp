@@ -4,6 +4,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "analysis/evidence/quantity.h"
+
 namespace powderlink::analysis {
 
 using Json = nlohmann::ordered_json;
@@ -22,14 +24,53 @@ const char* role_name(ParameterEstimate::Role role) {
   return "fixed";
 }
 
+/// "rms_relative_error" always (null without diameters), and one key for each other quantity.
+void put_errors(Json& j, const std::string& prefix, const std::vector<QuantityError>& errors) {
+  j[prefix + "relative_error"] = json_number(rms_relative_error(errors));
+  for (const QuantityError& e : errors) {
+    if (e.kind == KatRow::Kind::retained_share) j[prefix + "share_error"] = json_number(e.rms);
+    if (e.kind == KatRow::Kind::residual_speed) j[prefix + "speed_error_m_s"] = json_number(e.rms);
+  }
+}
+
+const char* origin_name(NoiseOrigin origin) {
+  switch (origin) {
+    case NoiseOrigin::stated:
+      return "stated";
+    case NoiseOrigin::counted:
+      return "counted";
+    case NoiseOrigin::replicates:
+      return "replicates";
+    case NoiseOrigin::assumed:
+      break;
+  }
+  return "assumed";
+}
+
+Json point_of(const Observation& o, double model, double residual) {
+  const bool relative = o.row.kind() == KatRow::Kind::critical_diameter;
+  const char* sigma = relative                                       ? "sigma_relative"
+                      : o.row.kind() == KatRow::Kind::retained_share ? "sigma_share"
+                                                                     : "sigma_m_s";
+  Json j = {{"impact_velocity_m_s", o.row.impact_velocity_m_s},
+            {"quantity", quantity_of(o.row.kind()).name}};
+  if (o.row.diameter_um) j["diameter_um"] = *o.row.diameter_um;
+  j["measured"] = o.measured;
+  j["model"] = json_number(model);
+  j[sigma] = o.sigma;
+  j["noise"] = origin_name(o.origin);
+  j["residual_sigma"] = json_number(residual);
+  return j;
+}
+
 Json json_of(const Candidate& c, double baseline_bic) {
   Json j;
   j["effect"] = c.name;
   j["parameters"] = json_of_parameters(c);
-  j["rms_relative_error"] = json_number(c.rms_relative_error);
+  put_errors(j, "rms_", c.rms);
   j["chi2_per_dof"] = json_number(c.chi2_per_dof());
   j["delta_bic"] = json_number(c.bic - baseline_bic);
-  j["loo_rms_relative_error"] = json_number(c.loo_rms_relative_error);
+  put_errors(j, "loo_rms_", c.left_out);
   j["plausible"] = c.plausible;
   j["why"] = c.why;
   Json roles = Json::object();
@@ -66,10 +107,10 @@ Json json_of(const Diagnosis& d, const Observations& observations) {
   Json j;
   j["verdict"] = to_string(d.verdict);
   j["best"] = d.best.empty() ? Json(nullptr) : Json(d.best);
-  j["baseline"] = {{"rms_relative_error", json_number(none.rms_relative_error)},
-                   {"chi2_per_dof", json_number(none.chi2_per_dof())},
-                   {"parameters", json_of_parameters(none)},
-                   {"trends", json_of(none.tests)}};
+  put_errors(j["baseline"], "rms_", none.rms);
+  j["baseline"]["chi2_per_dof"] = json_number(none.chi2_per_dof());
+  j["baseline"]["parameters"] = json_of_parameters(none);
+  j["baseline"]["trends"] = json_of(none.tests);
   j["ranking"] = Json::array();
   for (const Candidate& c : d.ranking) j["ranking"].push_back(json_of(c, none.bic));
   j["indistinguishable"] = d.indistinguishable;
@@ -84,7 +125,7 @@ Json json_of(const Diagnosis& d, const Observations& observations) {
                              {"chi2", json_number(p.chi2)},
                              {"parameters", p.parameters}});
   }
-  j["noise"] = observations.noise.text();
+  j["noise"] = observations.noise_text;
   j["words"] = d.words;
   return j;
 }
@@ -92,17 +133,11 @@ Json json_of(const Diagnosis& d, const Observations& observations) {
 Json json_of(const Comparison& c, const Observations& observations, const std::string& backend) {
   Json j;
   j["parameters"] = json_of_parameters(c.fit);
-  j["rms_relative_error"] = json_number(c.rms_relative_error);
+  put_errors(j, "rms_", c.rms);
   j["chi2_per_dof"] = json_number(c.chi2_per_dof);
   j["points"] = Json::array();
-  for (std::size_t i = 0; i < c.model.size(); ++i) {
-    const Observation& o = observations.list[i];
-    j["points"].push_back({{"impact_velocity_m_s", o.row.impact_velocity_m_s},
-                           {"measured", o.measured},
-                           {"model", json_number(c.model[i])},
-                           {"sigma_relative", o.sigma},
-                           {"residual_sigma", json_number(c.residuals[i])}});
-  }
+  for (std::size_t i = 0; i < c.model.size(); ++i)
+    j["points"].push_back(point_of(observations.list[i], c.model[i], c.residuals[i]));
   j["trends"] = json_of(c.tests);
   j["verdict"] = to_string(c.verdict);
   j["backend"] = backend;
@@ -125,7 +160,7 @@ Json json_of(const Comparison& c, const Observations& observations, const std::s
   j["flat_directions"] = c.uncertainty.flat;
   j["plausible"] = c.fit.plausible;
   j["why"] = c.fit.why;
-  j["noise"] = observations.noise.text();
+  j["noise"] = observations.noise_text;
   j["words"] = c.words;
   return j;
 }

@@ -7,12 +7,29 @@
 
 namespace powderlink::analysis {
 
+namespace {
+
+constexpr double kNegligible = 1e-6;  // of the largest singular value
+
+}  // namespace
+
+std::vector<double> hat_diagonal(const FitSolution& s) {
+  std::vector<double> h(s.residuals.size(), 0.0);
+  if (s.jacobian.cols() == 0) return h;
+  const auto svd = decomposition(s.jacobian);
+  for (long j = 0; j < svd.singularValues().size(); ++j) {
+    if (svd.singularValues()[j] <= kNegligible * svd.singularValues()[0]) continue;
+    for (std::size_t i = 0; i < h.size(); ++i)
+      h[i] += svd.matrixU()(static_cast<long>(i), j) * svd.matrixU()(static_cast<long>(i), j);
+  }
+  return h;
+}
+
 std::vector<double> leave_one_out(const FitSolution& s) {
   std::vector<double> out = s.residuals;
   const long n = s.jacobian.rows();
   const long k = s.jacobian.cols();
   if (k == 0 || n < 2) return out;
-  constexpr double negligible = 1e-6;  // of the largest singular value
   for (long i = 0; i < n; ++i) {
     Eigen::MatrixXd others(n - 1, k);
     Eigen::VectorXd r(n - 1);
@@ -22,7 +39,7 @@ std::vector<double> leave_one_out(const FitSolution& s) {
       r[to++] = s.residuals[static_cast<std::size_t>(j)];
     }
     auto svd = decomposition(others);
-    svd.setThreshold(negligible);
+    svd.setThreshold(kNegligible);
     out[static_cast<std::size_t>(i)] -= s.jacobian.row(i).dot(svd.solve(r));
   }
   return out;

@@ -25,6 +25,9 @@ namespace powderlink::analysis {
 /// matrix h. A parameter that the row alone determines keeps its value.
 std::vector<double> leave_one_out(const FitSolution& solution);
 
+/// Diagonal of J (J^T J)^-1 J^T: how much of a degree of freedom each row gave to the fit.
+std::vector<double> hat_diagonal(const FitSolution& solution);
+
 /// Interval of one parameter where chi^2, minimised over the others, rises by less than `rise`.
 /// An end that is not reached within the bounds is the bound.
 struct ProfileInterval {

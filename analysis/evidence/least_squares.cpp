@@ -7,16 +7,18 @@
 #include <cmath>
 #include <limits>
 
+#include "models/invalid_input.h"
+
 namespace powderlink::analysis {
 
 namespace {
 
 // Predictions that are integrated or tabulated are known to about 3e-4: smaller steps would
 // differentiate that error.
-constexpr double kStep = 0.01;  // of a coordinate: 1 % of a parameter with a scale
+constexpr double kStep = 0.01;  // of ln x, of x, or of the width
 constexpr int kMostIterations = 40;
 constexpr double kTolerance = 1e-9;
-constexpr double kAtBound = 1e-3;  // of the width
+constexpr double kAtBound = 1e-4;  // of the width: solver's rest
 constexpr double kPushes = 3.0;    // of chi^2: less and the data do not mind the bound
 constexpr double kKnown = 0.3;  // sigmas of a residual per factor e: less and a direction is open
 
@@ -34,11 +36,7 @@ class Residuals : public ceres::CostFunction {
     std::copy(r.begin(), r.end(), residuals);
     if (jacobians == nullptr || jacobians[0] == nullptr) return true;
     for (std::size_t j = 0; j < k; ++j) {
-      const FitParameter& p = problem_.parameters[j];
-      // Away from the nearer bound.
-      const double middle = 0.5 * (p.to_coordinate(p.lower) + p.to_coordinate(p.upper));
-      const double size = std::min(kStep, 0.1 * p.width());
-      const double step = at[j] < middle ? size : -size;
+      const double step = problem_.parameters[j].step(at[j]);
       std::vector<double> moved = at;
       moved[j] += step;
       const std::vector<double> r_moved = evaluate(moved);
@@ -79,10 +77,17 @@ Eigen::JacobiSVD<Eigen::MatrixXd> decomposition(const Eigen::MatrixXd& jacobian)
 }
 
 double FitParameter::to_coordinate(double value) const {
-  return logarithmic ? std::log(value) : value;
+  return logarithmic ? std::log(value) : value / (upper - lower);
 }
 double FitParameter::to_value(double coordinate) const {
-  return logarithmic ? std::exp(coordinate) : coordinate;
+  return logarithmic ? std::exp(coordinate) : coordinate * (upper - lower);
+}
+double FitParameter::step(double coordinate) const {
+  constexpr double of_width = 0.1;  // where bounds are close
+  const double middle = 0.5 * (to_coordinate(lower) + to_coordinate(upper));
+  const double wanted = logarithmic || !(lower > 0.0) ? kStep : kStep * coordinate;
+  const double size = std::min(wanted, of_width * width());
+  return coordinate < middle ? size : -size;
 }
 
 FitSolution least_squares(const FitProblem& problem, const std::vector<double>& start) {
@@ -138,14 +143,19 @@ FitSolution least_squares(const FitProblem& problem, const std::vector<double>& 
     const FitParameter& p = problem.parameters[j];
     s.values.push_back(std::clamp(p.to_value(at[j]), p.lower, p.upper));
     const double margin = kAtBound * p.width();
-    s.at_bound.push_back(gain > kPushes && (at[j] < p.to_coordinate(p.lower) + margin ||
-                                            at[j] > p.to_coordinate(p.upper) - margin));
+    s.at_bound.push_back(at[j] < p.to_coordinate(p.lower) + margin ||
+                         at[j] > p.to_coordinate(p.upper) - margin);
   }
+  s.pushed = gain > kPushes;
   return s;
 }
 
 FitSolution least_squares(const FitProblem& problem,
                           const std::vector<std::vector<double>>& starts) {
+  if (starts.empty()) {
+    throw InvalidInput("least squares", "no point to start from", "one or more",
+                       "fit two effects from the fits of each alone");
+  }
   FitSolution best;
   best.chi2 = std::numeric_limits<double>::infinity();
   for (const std::vector<double>& start : starts) {

@@ -22,9 +22,12 @@ struct FitParameter {
   double start = 0.0;
   bool logarithmic = true;
 
+  /// ln of a parameter with a scale, else parts of the width: the same in any unit.
   double to_coordinate(double value) const;
   double to_value(double coordinate) const;
   double width() const { return to_coordinate(upper) - to_coordinate(lower); }
+  /// For a derivative there: 1 % of what cannot be 0, else of the width; signed, away from the nearer bound.
+  double step(double coordinate) const;
 };
 
 struct FitProblem {
@@ -39,17 +42,16 @@ struct FitSolution {
   std::vector<double> values;
   std::vector<double> residuals;
   double chi2 = 0.0;
-  double prior = 0.0;        ///< sum of its squares
-  Eigen::MatrixXd jacobian;  ///< of the residuals, in the parameters' coordinates
-  /// Per parameter: it is at a bound that chi^2 pushes it against. One that merely lies there, because
-  /// the data do not mind, is not meant.
-  std::vector<bool> at_bound;
+  double prior = 0.0;          ///< sum of its squares
+  Eigen::MatrixXd jacobian;    ///< of the residuals, in the parameters' coordinates
+  std::vector<bool> at_bound;  ///< per parameter: it lies on one
+  bool pushed = false;         ///< without bounds chi^2 would fall by more than chance
 };
 
 /// From `start`; with no parameters the residuals alone.
 FitSolution least_squares(const FitProblem& problem, const std::vector<double>& start);
 
-/// Best of the starts; ties keep the earlier one.
+/// Best of the starts; ties keep the earlier one. Throws InvalidInput without any.
 FitSolution least_squares(const FitProblem& problem,
                           const std::vector<std::vector<double>>& starts);
 

@@ -15,7 +15,6 @@ namespace {
 
 constexpr int kPoints = 41;
 constexpr double kAround = 2.0;   // beyond the measured velocities
-constexpr double kStep = 0.02;    // of a coordinate, for derivatives
 constexpr double kDecides = 3.0;  // sigmas
 
 /// A drop at a new velocity; its contact time from the nearest row.
@@ -32,11 +31,18 @@ KatRow row_at(const Study& study, double velocity) {
   return row;
 }
 
-Hypothesis moved(const Candidate& c, std::size_t fitted, double by) {
+/// The fit with one of its parameters moved by a step of its coordinate.
+struct Moved {
+  Hypothesis hypothesis;
+  double step = 0.0;
+};
+
+Moved moved(const Candidate& c, std::size_t fitted) {
   Hypothesis h = c.hypothesis;
   const FitParameter& p = c.problem.parameters[fitted];
-  const double value =
-      std::clamp(p.to_value(p.to_coordinate(c.solution.values[fitted]) + by), p.lower, p.upper);
+  const double at = p.to_coordinate(c.solution.values[fitted]);
+  const double step = p.step(at);
+  const double value = p.to_value(at + step);
   std::size_t seen = 0;
   for (const ParameterEstimate& e : c.parameters) {
     if (e.role != ParameterEstimate::Role::fitted || seen++ != fitted) continue;
@@ -49,7 +55,7 @@ Hypothesis moved(const Candidate& c, std::size_t fitted, double by) {
       }
     }
   }
-  return h;
+  return {h, step};
 }
 
 double typical_sigma(const Observations& o) {
@@ -113,15 +119,15 @@ PredictedCurve predicted_curve(const Study& study, const Candidate& c,
   curve.name = c.name;
   const std::size_t k = c.solution.values.size();
   const Uncertainty u = uncertainty(c.problem, c.solution);
-  std::vector<Hypothesis> shifted;
-  for (std::size_t j = 0; j < k; ++j) shifted.push_back(moved(c, j, kStep));
+  std::vector<Moved> shifted;
+  for (std::size_t j = 0; j < k; ++j) shifted.push_back(moved(c, j));
   for (const double v : velocities) {
     const KatRow row = row_at(study, v);
     const double d = predicted_diameter_um(study, c.hypothesis, row);
     std::vector<double> slope;
     slope.reserve(k);
-    for (const Hypothesis& h : shifted)
-      slope.push_back(std::log(predicted_diameter_um(study, h, row) / d) / kStep);
+    for (const Moved& m : shifted)
+      slope.push_back(std::log(predicted_diameter_um(study, m.hypothesis, row) / d) / m.step);
     double variance = 0.0;
     for (std::size_t i = 0; i < k; ++i) {
       for (std::size_t j = 0; j < k; ++j) {

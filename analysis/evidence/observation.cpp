@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/evidence/observation.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -14,118 +12,108 @@ namespace powderlink::analysis {
 
 namespace {
 
-constexpr double kFewestReplicates = 3.0;    // degrees of freedom that make an estimate of its own
-constexpr double kWeightOfAssumption = 2.0;  // degrees of freedom, beside those of replicates
-
-/// Squares around the means of rows that repeat a velocity, and their degrees of freedom.
-struct PureError {
-  double sum = 0.0;
-  double degrees_of_freedom = 0.0;
-};
-
-PureError pure_error(const std::vector<KatRow>& rows) {
-  std::map<double, std::vector<double>> groups;
-  for (const KatRow& row : rows) {
-    if (row.kind() != KatRow::Kind::critical_diameter) continue;
-    groups[row.impact_velocity_m_s].push_back(std::log(*row.critical_diameter_um));
+void require_diameters(const Study& study) {
+  for (const KatRow& row : study.rows) {
+    if (row.kind() != KatRow::Kind::critical_diameter || row.critical_diameter_um) continue;
+    throw InvalidInput(study.file.string() + ", [study] measurements",
+                       "no measured diameters to fit to or compare with",
+                       "a file with the column critical_diameter_um",
+                       "name the measurement file, or for 'powderlink kat run' give a number to "
+                       "fix the adhesive energy");
   }
-  PureError e;
-  for (const auto& [velocity, values] : groups) {
-    double mean = 0.0;
-    for (const double v : values) mean += v / static_cast<double>(values.size());
-    for (const double v : values) e.sum += (v - mean) * (v - mean);
-    e.degrees_of_freedom += static_cast<double>(values.size()) - 1.0;
+}
+
+Observation of_counts(const KatRow& row) {
+  const double n = *row.count_before;
+  double share = *row.count_after / n;
+  double sigma = std::sqrt(std::max(share * (1.0 - share), 0.25 / n) / n);
+  if (row.area_ratio) {
+    // Both counts are Poisson.
+    share /= *row.area_ratio;
+    const double relative = 1.0 / n + 1.0 / std::max(*row.count_after, 1.0);
+    sigma = std::max(share, 1.0 / (*row.area_ratio * n)) * std::sqrt(relative);
   }
-  return e;
+  return {row, share, sigma, sigma, NoiseOrigin::counted};
+}
+
+Observation of_speed(const KatRow& row) {
+  const bool stated = row.residual_velocity_sigma_m_s.has_value();
+  const double sigma =
+      stated ? *row.residual_velocity_sigma_m_s : kAssumedRelativeNoise * row.impact_velocity_m_s;
+  return {row, *row.residual_velocity_m_s, sigma, sigma,
+          stated ? NoiseOrigin::stated : NoiseOrigin::assumed};
+}
+
+/// \param unstated  noise of diameters without sigma
+Observation of_diameter(const KatRow& row, const TableNoise& unstated, double discrepancy) {
+  Observation o{row, *row.critical_diameter_um, unstated.mean, unstated.mean, unstated.origin};
+  if (row.critical_diameter_sigma_um) {
+    o.noise = *row.critical_diameter_sigma_um / *row.critical_diameter_um;
+    o.origin = NoiseOrigin::stated;
+  }
+  // An assumed noise is that of the whole difference.
+  o.sigma = std::hypot(o.noise, o.known() ? discrepancy : 0.0);
+  return o;
+}
+
+void count_in(std::vector<TableNoise>& tables, const Observation& o, const TableNoise& unstated,
+              double discrepancy) {
+  const auto same = [&](const TableNoise& t) {
+    return t.table == o.row.table && t.kind == o.row.kind() && t.origin == o.origin;
+  };
+  auto t = std::find_if(tables.begin(), tables.end(), same);
+  if (t == tables.end()) {
+    TableNoise fresh;
+    fresh.table = o.row.table;
+    fresh.kind = o.row.kind();
+    fresh.origin = o.origin;
+    fresh.degrees_of_freedom = unstated.degrees_of_freedom;
+    fresh.discrepancy = discrepancy;
+    t = tables.insert(tables.end(), fresh);
+  }
+  t->mean += (o.noise - t->mean) / static_cast<double>(++t->rows);
 }
 
 }  // namespace
 
-std::string Noise::text() const {
-  const std::string form =
-      fmt::format(" and {:.2g} % for the model's own form", 100.0 * discrepancy);
-  switch (origin) {
-    case Origin::stated:
-      if (relative == 0.0) return "binomial counts and the noise of speeds";
-      return fmt::format("noise of the table ({:.2g} % on average){}", 100.0 * relative, form);
-    case Origin::replicates:
-      return fmt::format("noise of {:.2g} % from repeated drops ({:g} degrees of freedom){}",
-                         100.0 * relative, degrees_of_freedom, form);
-    case Origin::assumed:
-      break;
-  }
-  return fmt::format(
-      "no sigma in the table and no repeated drops: {:.2g} % assumed; chi^2 is no test then, only "
-      "trends and the comparison of effects count",
-      100.0 * relative);
-}
-
 Observations observe(const Study& study) {
+  require_diameters(study);
+  const TableNoise unstated = noise_of_unstated(study.rows);
   Observations o;
-  bool stated = true;
   for (const KatRow& row : study.rows) {
-    if (row.kind() != KatRow::Kind::critical_diameter) continue;
-    if (!row.critical_diameter_um) {
-      throw InvalidInput(study.file.string() + ", [study] measurements",
-                         "no measured diameters to fit to or compare with",
-                         "a file with the column critical_diameter_um",
-                         "name the measurement file, or for 'powderlink kat run' give a number to "
-                         "fix the adhesive energy");
-    }
-    stated = stated && row.critical_diameter_sigma_um.has_value();
+    o.list.push_back(row.kind() == KatRow::Kind::retained_share ? of_counts(row)
+                     : row.kind() == KatRow::Kind::residual_speed
+                         ? of_speed(row)
+                         : of_diameter(row, unstated, study.model_discrepancy));
+    count_in(o.tables, o.list.back(), unstated, study.model_discrepancy);
   }
-  o.noise.discrepancy = study.model_discrepancy;
-  if (!stated) {
-    const PureError e = pure_error(study.rows);
-    o.noise.origin = e.degrees_of_freedom >= kFewestReplicates ? Noise::Origin::replicates
-                                                               : Noise::Origin::assumed;
-    o.noise.degrees_of_freedom = e.degrees_of_freedom;
-    o.noise.relative = o.noise.origin == Noise::Origin::assumed
-                           ? kAssumedRelativeNoise
-                           : std::sqrt((e.sum + kWeightOfAssumption * kAssumedRelativeNoise *
-                                                    kAssumedRelativeNoise) /
-                                       (e.degrees_of_freedom + kWeightOfAssumption));
-  }
-  double diameters = 0.0;
-  for (const KatRow& row : study.rows)
-    diameters += row.kind() == KatRow::Kind::critical_diameter ? 1.0 : 0.0;
-  for (const KatRow& row : study.rows) {
-    if (row.kind() == KatRow::Kind::retained_share) {
-      const double n = *row.count_before;
-      if (row.area_ratio) {
-        // Both counts are Poisson.
-        const double share = *row.count_after / (*row.area_ratio * n);
-        const double relative = 1.0 / n + 1.0 / std::max(*row.count_after, 1.0);
-        o.list.push_back(
-            {row, share, std::max(share, 1.0 / (*row.area_ratio * n)) * std::sqrt(relative)});
-        continue;
-      }
-      const double share = *row.count_after / n;
-      o.list.push_back({row, share, std::sqrt(std::max(share * (1.0 - share), 0.25 / n) / n)});
-      continue;
-    }
-    if (row.kind() == KatRow::Kind::residual_speed) {
-      o.list.push_back({row, *row.residual_velocity_m_s,
-                        row.residual_velocity_sigma_m_s.value_or(kAssumedRelativeNoise *
-                                                                 row.impact_velocity_m_s)});
-      continue;
-    }
-    double noise = o.noise.relative;
-    if (stated) {
-      noise = *row.critical_diameter_sigma_um / *row.critical_diameter_um;
-      o.noise.relative += noise / diameters;
-    }
-    const double form = o.noise.known() ? o.noise.discrepancy : 0.0;
-    o.list.push_back({row, *row.critical_diameter_um, std::hypot(noise, form)});
-  }
+  o.noise_text = noise_text(o.tables, study);
   return o;
 }
 
-double Hypothesis::corrected(double diameter_m, double v) const {
-  if (correction.empty()) return diameter_m;
-  const auto above = correction.lower_bound(v);
-  if (above == correction.end()) return diameter_m * std::exp(correction.rbegin()->second);
-  if (above == correction.begin()) return diameter_m * std::exp(above->second);
+bool Observations::known() const {
+  return std::all_of(list.begin(), list.end(), [](const Observation& o) { return o.known(); });
+}
+
+double Observations::relative_noise() const {
+  double sum = 0.0;
+  double rows = 0.0;
+  for (const Observation& o : list) {
+    if (o.row.kind() != KatRow::Kind::critical_diameter) continue;
+    sum += o.noise;
+    rows += 1.0;
+  }
+  return rows > 0.0 ? sum / rows : 0.0;
+}
+
+double Hypothesis::corrected(double diameter_m, const KatRow& row) const {
+  const auto found = correction.find(conditions_of(row));
+  if (found == correction.end()) return diameter_m;
+  const std::map<double, double>& over_v = found->second;
+  const double v = row.impact_velocity_m_s;
+  const auto above = over_v.lower_bound(v);
+  if (above == over_v.end()) return diameter_m * std::exp(over_v.rbegin()->second);
+  if (above == over_v.begin()) return diameter_m * std::exp(above->second);
   const auto below = std::prev(above);
   const double part = std::log(v / below->first) / std::log(above->first / below->first);
   return diameter_m * std::exp(below->second + part * (above->second - below->second));
@@ -137,7 +125,7 @@ double predicted_diameter_um(const Study& study, const Hypothesis& hypothesis, c
                 row.adhesive_energy_J_m2.value_or(hypothesis.adhesive_energy_J_m2)));
   double diameter = hypothesis.corrected(
       quick_critical_diameter(model, row.impact_velocity_m_s, hypothesis.estimated).diameter_m,
-      row.impact_velocity_m_s);
+      row);
   for (const auto& effect : model.setup().effects) diameter = effect->observed_diameter_m(diameter);
   return diameter * 1e6;
 }
@@ -154,7 +142,7 @@ double retained_share(const Study& study, const Hypothesis& h, const KatRow& row
   const auto critical_um = [&](double gamma) {
     const ReducedModel model(row_setup(study, h.effects, row, gamma));
     const double v = row.impact_velocity_m_s;
-    return 1e6 * h.corrected(quick_critical_diameter(model, v, h.estimated).diameter_m, v);
+    return 1e6 * h.corrected(quick_critical_diameter(model, v, h.estimated).diameter_m, row);
   };
   double scatter = 0.0;
   for (const EffectChoice& e : h.effects) {

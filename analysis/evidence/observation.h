@@ -13,53 +13,57 @@
 /// the scatter of ln Gamma and q = dln Gamma/dln d_c; a quarter of a grain per class goes the wrong way.
 /// sigma^2 = noise^2 + discrepancy^2. The discrepancy is what the model's own form may be off when
 /// every effect is right (the shape of a pulse, the force law of a bridge): stated, not fitted.
-/// Noise: of the table; else of rows that repeat a drop; else assumed, and then chi^2 is no test.
-/// Units: um, m/s. Tests: tests/analysis/study_fit_test.cpp, tests/analysis/retention_test.cpp
+/// Noise: noise.h, for every row on its own. Units: um, m/s. Tests: tests/analysis/study_fit_test.cpp, tests/analysis/retention_test.cpp
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "analysis/evidence/noise.h"
 #include "analysis/study.h"
 
 namespace powderlink::analysis {
+
+/// What a drop has of its own beside its velocity: contact time [us], Gamma [J/m^2].
+using RowConditions = std::pair<std::optional<double>, std::optional<double>>;
+inline RowConditions conditions_of(const KatRow& row) {
+  return {row.contact_time_us, row.adhesive_energy_J_m2};
+}
 
 /// What is taken to act: effects with their parameters, and the interface's work of adhesion.
 struct Hypothesis {
   std::vector<EffectChoice> effects;
   double adhesive_energy_J_m2 = 0.0;
   bool estimated = false;  ///< sums of effects are estimated (critical_speed.h)
-  /// ln(d_c integrated/estimated) over v [m/s]; between its velocities linear in ln v. Empty: none.
-  std::map<double, double> correction{};
-  double corrected(double diameter_m, double impact_velocity_m_s) const;
+  /// ln(d_c integrated/estimated) over v [m/s], for each contact time and Gamma that rows have of their
+  /// own; between its velocities linear in ln v. Where there is none the estimate stays.
+  std::map<RowConditions, std::map<double, double>> correction{};
+  double corrected(double diameter_m, const KatRow& row) const;
 };
 
 struct Observation {
   KatRow row;
   double measured = 0.0;  ///< [um], share, or [m/s]
-  double sigma = 0.0;     ///< of measured: relative with the discrepancy, of the share, or [m/s]
+  double noise = 0.0;     ///< of measured: relative for a diameter, of the share, or [m/s]
+  double sigma = 0.0;     ///< the same with the discrepancy
+  NoiseOrigin origin = NoiseOrigin::stated;
+  /// chi^2 can be compared with its distribution only where the noise is known.
+  bool known() const { return origin != NoiseOrigin::assumed; }
   /// Model over measured less one; for shares and speeds, which may be 0, their difference.
   double error(double predicted) const;
 };
 
-struct Noise {
-  enum class Origin { stated, replicates, assumed };
-  Origin origin = Origin::stated;
-  double relative = 0.0;            ///< typical value
-  double degrees_of_freedom = 0.0;  ///< behind an estimate from replicates
-  double discrepancy = 0.0;         ///< of the model's form, relative
-  /// chi^2 can be compared with its distribution only where the noise is known.
-  bool known() const { return origin != Origin::assumed; }
-  std::string text() const;
-};
-
 struct Observations {
   std::vector<Observation> list;
-  Noise noise;
+  std::vector<TableNoise> tables;
+  std::string noise_text;
+  bool known() const;  ///< the noise of all rows
+  /// Mean of the diameters' noise; 0 without diameters.
+  double relative_noise() const;
 };
-
-inline constexpr double kAssumedRelativeNoise = 0.05;
 
 /// Throws InvalidInput for a study without measurements.
 Observations observe(const Study& study);

@@ -17,6 +17,7 @@ constexpr double kPi = 3.14159265358979323846;
 /// Weighted least squares of y on the columns; coefficients and chi^2.
 struct Fit {
   Eigen::VectorXd coefficients;
+  std::vector<double> residuals;
   double chi2 = std::numeric_limits<double>::infinity();
 };
 
@@ -25,7 +26,9 @@ Fit fit(const Eigen::MatrixXd& columns, const Eigen::VectorXd& y, const Eigen::V
   const Eigen::VectorXd b = sigma.cwiseInverse().cwiseProduct(y);
   Fit f;
   f.coefficients = a.colPivHouseholderQr().solve(b);
-  f.chi2 = (b - a * f.coefficients).squaredNorm();
+  const Eigen::VectorXd left = b - a * f.coefficients;
+  f.residuals.assign(left.begin(), left.end());
+  f.chi2 = left.squaredNorm();
   return f;
 }
 
@@ -58,6 +61,7 @@ std::vector<Pattern> foreign_patterns(const std::vector<double>& x,
     const Fit f = fit(columns, y, s);
     if (f.chi2 >= step.chi2) continue;
     step.chi2 = f.chi2;
+    step.residuals = f.residuals;
     step.text = fmt::format("a step of {:+.0f} % between {:g} and {:g} m/s",
                             percent(f.coefficients[1]), distinct[cut - 1], distinct[cut]);
   }
@@ -82,6 +86,7 @@ std::vector<Pattern> foreign_patterns(const std::vector<double>& x,
       // Near two rows per period sine and cosine are nearly the same: any amplitude passes.
       if (f.chi2 >= wave.chi2 || amplitude > largest) continue;
       wave.chi2 = f.chi2;
+      wave.residuals = f.residuals;
       wave.text = logarithmic ? fmt::format("a wave of {:.0f} %, once every factor {:.2g} of v",
                                             percent(amplitude), std::exp(range / periods))
                               : fmt::format("a wave of {:.0f} %, once every {:.2g} m/s",

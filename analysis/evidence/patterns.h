@@ -20,6 +20,7 @@ struct Pattern {
   std::string text;  ///< "a step of +23 % between 2.1 and 2.6 m/s"
   double chi2 = 0.0;
   int parameters = 0;
+  std::vector<double> residuals{};  ///< in sigmas
 };
 
 /// \param x          impact velocities

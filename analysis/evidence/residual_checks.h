@@ -1,13 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file residual_checks.h
-/// Do the residuals of a model pass for noise? The tests of trends.h against the columns of a study.
+/// Do the residuals of a model pass for noise? The tests of trends.h against every column of a study.
 ///
-/// Symbols: residuals in sigmas. Errors: none.
-/// Source: trends.h. Tests: tests/analysis/study_fit_test.cpp
+///   scatter   rows of known noise, degrees of freedom n - sum h_ii over them
+///   curve     over velocity and the grains' diameter
+///   rank, runs  over every column: velocity, diameter, contact time, Gamma, and those that powderlink does not
+///             know, which are told and do not count: they may have been computed from d_c itself
+///
+/// A column is tested on the rows that have it, where it has at least two values. Rows of counts of which
+/// nearly all grains must go one way under the model have a known sign: they are left out of all but
+/// scatter. Corrected for the number of tests, those that count and those that are told each by themselves.
+/// Symbols: residuals in sigmas; h diagonal of the hat matrix. Errors: none.
+/// Source: trends.h. Tests: tests/analysis/residual_checks_test.cpp
 #pragma once
 
 #include <vector>
 
+#include "analysis/evidence/least_squares.h"
 #include "analysis/evidence/observation.h"
 #include "analysis/evidence/trends.h"
 
@@ -19,13 +28,17 @@ inline constexpr double kAlarm = 0.02;
 /// Residuals over an assumed noise that pass for noise: tables like these have 1 to 10 %.
 inline constexpr double kRmsOverAssumed = 2.0;
 
-/// Tests of residuals in sigmas against the study's columns, corrected for their number.
-std::vector<TrendTest> residual_tests(const Study& study, const Observations& observations,
-                                      const std::vector<double>& residuals, int fitted);
+/// \param model     one prediction per row
+/// \param solution  residuals of that model in sigmas, and the jacobian of its fit
+std::vector<TrendTest> residual_tests(const Observations& observations,
+                                      const std::vector<double>& model,
+                                      const FitSolution& solution);
 
-/// The rule by which a model fails: a test fails at kAlarm, or, with an assumed noise, the residuals
-/// are more than kRmsOverAssumed times that noise.
+/// A kind of rows whose noise was assumed has residuals of more than kRmsOverAssumed of it (rms).
+bool beyond_assumed(const std::vector<double>& residuals, const Observations& observations);
+
+/// The rule by which a model fails: a test fails at kAlarm, or residuals are beyond an assumed noise.
 bool residuals_fail(const std::vector<TrendTest>& tests, const std::vector<double>& residuals,
-                    const Noise& noise);
+                    const Observations& observations);
 
 }  // namespace powderlink::analysis

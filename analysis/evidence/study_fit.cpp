@@ -24,7 +24,7 @@ bool anything_free(const Study& study) {
 }  // namespace
 
 StudyFit with_values_of(const Study& study, const Candidate& fit) {
-  StudyFit result{study, {}, "", false, fit.at_bound()};
+  StudyFit result{study, {}, "", false, fit.held_back()};
   result.study.effects = fit.hypothesis.effects;
   for (const KatRow& row : study.rows) {
     result.adhesive_energy_J_m2.push_back(

@@ -6,8 +6,9 @@
 #include <boost/math/distributions/chi_squared.hpp>
 #include <boost/math/distributions/fisher_f.hpp>
 #include <boost/math/distributions/students_t.hpp>
-#include <boost/math/special_functions/binomial.hpp>
+#include <boost/math/special_functions/gamma.hpp>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace powderlink::analysis {
@@ -49,15 +50,23 @@ double correlation(const std::vector<double>& a, const std::vector<double>& b) {
   return aa > 0.0 && bb > 0.0 ? ab / std::sqrt(aa * bb) : 0.0;
 }
 
-bool spread(const std::vector<double>& x) {
-  return std::adjacent_find(x.begin(), x.end(), std::not_equal_to<>()) != x.end();
+/// ln of a over b, -infinity where there is no such choice; the binomial itself overflows beyond some
+/// 1000 rows. std::lgamma writes a global, so not with threads.
+double log_choose(unsigned a, unsigned b) {
+  if (b > a) return -std::numeric_limits<double>::infinity();
+  const auto log_factorial = [](unsigned n) { return boost::math::lgamma(n + 1.0); };
+  return log_factorial(a) - log_factorial(b) - log_factorial(a - b);
 }
 
 }  // namespace
 
-double scatter_p_value(const std::vector<double>& residuals, int fitted) {
-  const int degrees = static_cast<int>(residuals.size()) - fitted;
-  if (degrees < 1) return 1.0;
+bool spread(const std::vector<double>& x) {
+  return std::adjacent_find(x.begin(), x.end(), std::not_equal_to<>()) != x.end();
+}
+
+double scatter_p_value(const std::vector<double>& residuals, double fitted) {
+  const double degrees = static_cast<double>(residuals.size()) - fitted;
+  if (degrees < 1.0) return 1.0;
   double sum = 0.0;
   for (const double r : residuals) sum += r * r;
   return cdf(complement(boost::math::chi_squared(degrees), sum));
@@ -133,31 +142,33 @@ double runs_p_value(const std::vector<double>& x, const std::vector<double>& res
     if (i == 0 || up != (residuals[order[i - 1]] > 0.0)) ++runs;
   }
   if (plus == 0 || minus == 0) return 1.0;
-  const auto choose = [](unsigned a, unsigned b) {
-    return b > a ? 0.0 : boost::math::binomial_coefficient<double>(a, b);
+  const double all = log_choose(plus + minus, plus);
+  const auto part = [&](unsigned of_plus, unsigned of_minus) {
+    return std::exp(log_choose(plus - 1, of_plus) + log_choose(minus - 1, of_minus) - all);
   };
   double probability = 0.0;
   for (unsigned count = 2; count <= runs; ++count) {
     const unsigned half = count / 2;
-    probability += count % 2 == 0 ? 2.0 * choose(plus - 1, half - 1) * choose(minus - 1, half - 1)
-                                  : choose(plus - 1, half) * choose(minus - 1, half - 1) +
-                                        choose(plus - 1, half - 1) * choose(minus - 1, half);
+    probability += count % 2 == 0 ? 2.0 * part(half - 1, half - 1)
+                                  : part(half, half - 1) + part(half - 1, half);
   }
-  return std::min(1.0, probability / choose(plus + minus, plus));
+  return std::min(1.0, probability);
 }
 
 void correct_for_number(std::vector<TrendTest>& tests) {
-  std::vector<TrendTest*> counted;
-  for (TrendTest& t : tests) {
-    t.p_corrected = t.p_value;
-    if (t.counts) counted.push_back(&t);
-  }
-  std::stable_sort(counted.begin(), counted.end(),
-                   [](const TrendTest* a, const TrendTest* b) { return a->p_value < b->p_value; });
-  double largest = 0.0;
-  for (std::size_t i = 0; i < counted.size(); ++i) {
-    largest = std::max(largest, static_cast<double>(counted.size() - i) * counted[i]->p_value);
-    counted[i]->p_corrected = std::min(1.0, largest);
+  for (const bool counts : {true, false}) {
+    std::vector<TrendTest*> family;
+    for (TrendTest& t : tests) {
+      if (t.counts == counts) family.push_back(&t);
+    }
+    std::stable_sort(family.begin(), family.end(), [](const TrendTest* a, const TrendTest* b) {
+      return a->p_value < b->p_value;
+    });
+    double largest = 0.0;
+    for (std::size_t i = 0; i < family.size(); ++i) {
+      largest = std::max(largest, static_cast<double>(family.size() - i) * family[i]->p_value);
+      family[i]->p_corrected = std::min(1.0, largest);
+    }
   }
 }
 

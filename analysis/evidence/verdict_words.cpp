@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/evidence/candidate_parameters.h"
 #include "analysis/evidence/residual_checks.h"
 #include "analysis/units.h"
 
@@ -14,9 +15,9 @@ namespace powderlink::analysis {
 
 namespace {
 
-std::string quality(const Candidate& c, const Noise& noise) {
-  std::string text = fmt::format("rms {:.1f} %", 100.0 * c.rms_relative_error);
-  if (noise.known() && std::isfinite(c.chi2_per_dof()))
+std::string quality(const Candidate& c, const Observations& observations) {
+  std::string text = "rms " + rms_text(c.rms);
+  if (observations.known() && std::isfinite(c.chi2_per_dof()))
     text += fmt::format(", chi^2/dof {:.2g}", c.chi2_per_dof());
   return text;
 }
@@ -28,6 +29,16 @@ std::string failing_tests(const Candidate& c) {
       failing.push_back(fmt::format("{} over {} (p = {:.1g})", t.test, t.variable, t.p_corrected));
   }
   return failing.empty() ? "its size" : fmt::format("{}", fmt::join(failing, ", "));
+}
+
+void tell_bounds(const Candidate& c, std::vector<std::string>& words) {
+  for (const ParameterEstimate& p : c.parameters) {
+    if (p.at_bound) {
+      words.push_back(fmt::format("{}: {}{}", c.added.empty() ? "the study's own model" : c.name,
+                                  bound_text(p),
+                                  p.held_back ? ": widen the bounds or distrust it" : ""));
+    }
+  }
 }
 
 }  // namespace
@@ -47,19 +58,23 @@ std::string parameter_text(const Candidate& c) {
 std::vector<std::string> verdict_words(const Study& study, const Observations& observations,
                                        const Diagnosis& d, const Pattern* pattern) {
   const Candidate& none = d.baseline();
-  const Noise& noise = observations.noise;
   std::vector<std::string> effects;
   for (const EffectChoice& e : study.effects) effects.push_back(e.name);
   const std::string model = effects.empty()
                                 ? "JKR with one Gamma and an instant stop"
                                 : fmt::format("the model with {}", fmt::join(effects, ", "));
   std::vector<std::string> words;
-  words.push_back("judged with " + noise.text());
-  if (d.verdict == Verdict::no_missing_effect) {
-    words.push_back(
-        fmt::format("{} explains the measurements ({}); no effect is missing that they "
-                    "could show. {}",
-                    model, quality(none, noise), parameter_text(none)));
+  words.push_back("judged with " + observations.noise_text);
+  const bool undecided = d.verdict == Verdict::ambiguous && d.best.empty();
+  if (d.verdict == Verdict::no_missing_effect || undecided) {
+    words.push_back(fmt::format(
+        "{} {} ({}){}. {}", model,
+        undecided ? "agrees with the measurements" : "explains the measurements",
+        quality(none, observations),
+        undecided ? ", but only where its bounds end: whether an effect is missing cannot be told"
+                  : "; no effect is missing that they could show",
+        parameter_text(none)));
+    tell_bounds(none, words);
     if (!none.plausible) {
       words.push_back("but: " + none.why +
                       ". The shape fits, the strength does not: an effect that keeps the shape, or "
@@ -68,12 +83,14 @@ std::vector<std::string> verdict_words(const Study& study, const Observations& o
     return words;
   }
   words.push_back(
-      fmt::format("{} fails ({}): {}", model, quality(none, noise), failing_tests(none)));
+      fmt::format("{} fails ({}): {}", model, quality(none, observations), failing_tests(none)));
+  tell_bounds(none, words);
   const auto describe = [&](const std::string& name) {
     const Candidate& c = d.get(name);
-    words.push_back(fmt::format("{}: {}, delta BIC {:+.1f}, {}; {}", name, quality(c, noise),
+    words.push_back(fmt::format("{}: {}, delta BIC {:+.1f}, {}; {}", name, quality(c, observations),
                                 c.bic - none.bic, parameter_text(c),
                                 c.plausible ? "plausible" : "IMPLAUSIBLE: " + c.why));
+    tell_bounds(c, words);
   };
   switch (d.verdict) {
     case Verdict::missing_effect:
@@ -92,8 +109,6 @@ std::vector<std::string> verdict_words(const Study& study, const Observations& o
                         "leading plausible explanation",
                         d.indistinguishable.front(), d.best));
       }
-      if (d.get(d.best).at_bound())
-        words.push_back("a fitted parameter stopped at its bound: widen the bounds or distrust it");
       if (d.get(d.best).added.size() > 1)
         words.push_back("it takes two effects; so many parameters explain much and prove little");
       break;
@@ -102,9 +117,7 @@ std::vector<std::string> verdict_words(const Study& study, const Observations& o
       break;
   }
   if (pattern != nullptr) {
-    const double bic =
-        score(observations, pattern->chi2) +
-        pattern->parameters * std::log(static_cast<double>(observations.list.size()));
+    const double bic = pattern_bic(*pattern, observations);
     const bool rival = d.best.empty() || bic < d.get(d.best).bic + kApart;
     if (rival && bic < none.bic - kClears) {
       words.push_back("what an effect would have to explain: " + pattern->text +

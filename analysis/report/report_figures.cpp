@@ -11,11 +11,12 @@
 #include <set>
 #include <utility>
 
+#include "analysis/evidence/quantity.h"
 #include "analysis/evidence/verdict_words.h"
 #include "analysis/gnuplot.h"
 #include "analysis/report/column_title.h"
-#include "analysis/report/quantity.h"
 #include "analysis/report/report_words.h"
+#include "analysis/report/typeset.h"
 #include "analysis/report/value_range.h"
 #include "analysis/write_file.h"
 
@@ -73,7 +74,7 @@ double dem_residual(const StudyResult& r, std::size_t i) {
 
 std::string row_hover(const StudyResult& r, std::size_t i) {
   const Observation& o = r.observations.list[i];
-  const char* unit = quantity_of(o.row.kind()).unit;
+  const std::string unit = typeset(quantity_of(o.row.kind()).unit);
   return fmt::format("{:g} m/s{}: measured {:.4g} ± {:.2g}{}, model {:.4g}{}, {:+.1f} sigma",
                      o.row.impact_velocity_m_s,
                      o.row.diameter_um ? fmt::format(", {:g} µm", *o.row.diameter_um) : "",
@@ -232,26 +233,27 @@ Figure draw_ranking(const StudyResult& r, const Sheet& sheet) {
   std::string text = "row,effect,evidence,loo_percent,plausible,hover\n";
   for (const Candidate* c : ranked(d)) {
     const double gain = d.baseline().bic - c->bic;
-    const double left_out = 100.0 * c->loo_rms_relative_error;
+    const double left_out = axis_error(c->left_out).hundredths;
     evidence.add(gain);
     loo.add(left_out);
     names.push_back(c->name);
-    text += fmt::format(
-        "{},{},{},{},{},{}\n", names.size(), c->name, number(gain), number(left_out),
-        c->added.empty() || !c->acts ? -1
-        : c->plausible               ? 1
-                                     : 0,
-        hover_cell(fmt::format("{}: delta BIC {:+.1f}, rms {:.1f} %, left out {:.1f} %; {}; {}",
-                               c->name, -gain, 100.0 * c->rms_relative_error, left_out,
-                               c->acts ? parameter_text(*c) : c->why,
-                               c->plausible ? "plausible" : "not plausible")));
+    text +=
+        fmt::format("{},{},{},{},{},{}\n", names.size(), c->name, number(gain), number(left_out),
+                    c->added.empty() || !c->acts ? -1
+                    : c->plausible               ? 1
+                                                 : 0,
+                    hover_cell(fmt::format("{}: delta BIC {:+.1f}, rms {}, left out {}; {}; {}",
+                                           c->name, -gain, rms_text(c->rms), rms_text(c->left_out),
+                                           c->acts ? parameter_text(*c) : c->why,
+                                           c->plausible ? "plausible" : "not plausible")));
   }
   return sheet.draw(
       "report_ranking.gp",
       {sheet.table("table", "", text), fmt::format("rows={}", names.size()),
        "names=" + gnuplot_string(fmt::format("{}", fmt::join(names, " "))),
-       fmt::format("lowest={:.9g}; widest={:.9g}; most_loo={:.9g}", evidence.low, evidence.high,
-                   loo.high)},
+       fmt::format("lowest={:.9g}; widest={:.9g}; most_loo={:.9g}; unit={}", evidence.low,
+                   evidence.high, loo.high,
+                   gnuplot_string(axis_error(d.baseline().left_out).unit))},
       fmt::format("Ranking of the explanations of {}: how much BIC falls when an effect is added, "
                   "and the error on rows that were left out of the fit. Full: possible values; "
                   "pale: values that are not possible; grey: the study's own model and effects "
@@ -366,7 +368,7 @@ Figure draw_staircase(const std::vector<std::unique_ptr<StudyResult>>& results,
   const bool one_table = same_measurements(results);
   std::string text = "study,name,reduced_percent,dem_percent,hover,dem_hover\n";
   for (const auto& r : results) {
-    const double reduced = 100.0 * r->comparison.rms_relative_error;
+    const double reduced = 100.0 * rms_relative_error(r->comparison.rms);
     const double dem = r->dem ? 100.0 * r->dem->rms_relative_error : NAN;
     if (r->dem) ++n_dem;
     percent.add(reduced);
@@ -384,7 +386,7 @@ Figure draw_staircase(const std::vector<std::unique_ptr<StudyResult>>& results,
                                           : ""));
   }
   // Of one table; studies of several have a noise each.
-  const double noise = one_table ? 100.0 * results.front()->observations.noise.relative : 0.0;
+  const double noise = one_table ? 100.0 * results.front()->observations.relative_noise() : 0.0;
   percent.add(noise);
   return sheet.draw(
       "report_staircase.gp",

@@ -8,12 +8,12 @@
 #include <cmath>
 #include <kainjow/mustache.hpp>
 
+#include "analysis/evidence/quantity.h"
 #include "analysis/evidence/residual_checks.h"
 #include "analysis/evidence/verdict_words.h"
 #include "analysis/file_text.h"
 #include "analysis/report/column_title.h"
 #include "analysis/report/inline_svg.h"
-#include "analysis/report/quantity.h"
 #include "analysis/report/report_words.h"
 #include "analysis/report/typeset.h"
 #include "analysis/units.h"
@@ -89,9 +89,8 @@ Data parameter_tables(const StudyResult& r) {
   Data tables(Data::type::list);
   tables << parameter_table("The model of this study", r.comparison.fit, r.comparison.intervals);
   for (const Candidate* c : r.leading()) {
-    tables << parameter_table(
-        fmt::format("With {} added (rms {})", c->name, percent(c->rms_relative_error)), *c,
-        intervals_of(*c, r.observations));
+    tables << parameter_table(fmt::format("With {} added (rms {})", c->name, rms_text(c->rms)), *c,
+                              intervals_of(*c, r.observations));
   }
   return tables;
 }
@@ -109,7 +108,7 @@ Data rows(const StudyResult& r) {
     d.set("v", fmt::format("{:g}", o.row.impact_velocity_m_s));
     d.set("size", o.row.diameter_um ? fmt::format("{:g}", *o.row.diameter_um) : kNone);
     const Quantity& quantity = quantity_of(o.row.kind());
-    const std::string unit = quantity.unit;
+    const std::string unit = typeset(quantity.unit);
     d.set("quantity",
           unit.empty() ? quantity.name : fmt::format("{} ({})", quantity.name, unit.substr(1)));
     d.set("measured", fmt::format("{:.4g}", o.measured));
@@ -136,7 +135,7 @@ Data tests(const StudyResult& r) {
     d.set("variable", column_words(t.variable));
     d.set("test", t.test);
     d.set("p", number(t.p_value, 2));
-    d.set("p_corrected", t.counts ? number(t.p_corrected, 2) : kNone);
+    d.set("p_corrected", number(t.p_corrected, 2));
     d.set("small", t.counts && t.p_corrected < kAlarm);
     d.set("counts", t.counts ? "yes" : "no");
     list << d;
@@ -150,8 +149,8 @@ Data candidates(const Diagnosis& d) {
     Data row;
     row.set("name", c->name);
     row.set("delta_bic", fmt::format("{:+.1f}", c->bic - d.baseline().bic));
-    row.set("rms", percent(c->rms_relative_error));
-    row.set("loo", percent(c->loo_rms_relative_error));
+    row.set("rms", rms_text(c->rms));
+    row.set("loo", rms_text(c->left_out));
     row.set("chi2", number(c->chi2_per_dof(), 3));
     row.set("plausible", !c->acts ? kNone : c->plausible ? "yes" : typeset("no: " + c->why));
     row.set("class", !c->acts ? "soft" : c->plausible ? "good" : "bad");
@@ -172,15 +171,17 @@ Data study(const ReportPage& page, std::size_t i) {
   d.set("substrate", column_words(r.study.substrate.name));
   d.set("row_count", std::to_string(r.observations.list.size()));
   d.set("effects", r.effects().empty() ? "none" : r.effects());
-  d.set("noise", typeset(r.observations.noise.text()));
+  d.set("noise", typeset(r.observations.noise_text));
   d.set("verdict", to_string(r.comparison.verdict));
   d.set("class", to_string(r.comparison.verdict));
-  d.set("rms", percent(r.comparison.rms_relative_error));
+  d.set("rms", rms_text(r.comparison.rms));
   d.set("rms_dem", r.dem ? percent(r.dem->rms_relative_error) : kNone);
   const StudyResult& first = *page.results.front();
-  const double error = r.dem ? r.dem->rms_relative_error : r.comparison.rms_relative_error;
+  const double first_error = axis_error(first.comparison.rms).hundredths;
+  const double error =
+      r.dem ? 100.0 * r.dem->rms_relative_error : axis_error(r.comparison.rms).hundredths;
   d.set("of_first", i > 0 && same_measurements(page.results)
-                        ? fmt::format("{:.2g}", error / first.comparison.rms_relative_error)
+                        ? fmt::format("{:.2g}", error / first_error)
                         : kNone);
   d.set("chi2", number(r.comparison.chi2_per_dof, 3));
   d.set("headline", headline(r));

@@ -8,9 +8,10 @@
 #include <cmath>
 #include <numeric>
 
+#include "analysis/evidence/quantity.h"
 #include "analysis/evidence/residual_checks.h"
 #include "analysis/report/column_title.h"
-#include "analysis/report/quantity.h"
+#include "analysis/report/typeset.h"
 #include "analysis/report/value_range.h"
 #include "analysis/units.h"
 
@@ -36,6 +37,7 @@ std::string range_text(double low, double high, int digits) {
 std::string group_text(const StudyResult& r, const std::vector<std::size_t>& rows, Fit fit) {
   const Quantity& quantity = quantity_of(r.observations.list[rows.front()].row.kind());
   const bool relative = quantity.kind == KatRow::Kind::critical_diameter;
+  const std::string own_unit = typeset(quantity.unit);
   ValueRange velocity, measured, size, off, sigmas;
   for (const std::size_t i : rows) {
     const Observation& o = r.observations.list[i];
@@ -48,8 +50,8 @@ std::string group_text(const StudyResult& r, const std::vector<std::size_t>& row
   const std::string where = fmt::format(
       "At {} m/s{} ({} {}{}) the model ", range_text(velocity.low, velocity.high, 3),
       std::isfinite(size.low) ? fmt::format(" and {} µm", range_text(size.low, size.high, 3)) : "",
-      quantity.name, range_text(measured.low, measured.high, 3), quantity.unit);
-  const char* unit = relative ? " %" : quantity.unit;
+      quantity.name, range_text(measured.low, measured.high, 3), own_unit);
+  const std::string unit = relative ? " %" : own_unit;
   if (fit == Fit::fits)
     return where + fmt::format("fits: it is off by {:.2g}{} at most, {:.1f} sigmas.", off.high,
                                unit, sigmas.high);
@@ -104,6 +106,9 @@ std::string headline(const StudyResult& r) {
       return text + " No effect of the catalogue, and no two of them, explain the difference.";
     case Verdict::ambiguous:
       break;
+  }
+  if (d.best.empty()) {
+    return text + " The fit ended at a bound: whether an effect is missing cannot be told.";
   }
   const auto values = [](bool possible) {
     return possible ? "with possible values" : "with values that are not possible";
@@ -166,11 +171,10 @@ std::vector<std::string> trend_words(const StudyResult& r) {
 std::vector<std::string> open_questions(const StudyResult& r) {
   std::vector<std::string> words;
   const std::size_t rows = r.observations.list.size();
-  if (!r.observations.noise.known()) {
-    words.push_back(
-        fmt::format("The size of the noise: {:.2g} % per drop is assumed, since the table has no "
-                    "sigma and no drop was repeated.",
-                    100.0 * r.observations.noise.relative));
+  for (const TableNoise& t : r.observations.tables) {
+    if (t.origin == NoiseOrigin::assumed)
+      words.push_back("The size of the noise of " + std::string(quantity_of(t.kind).plural) + ": " +
+                      t.text() + ".");
   }
   if (!r.diagnosis) words.push_back("Which effect is missing: " + r.no_diagnosis + ".");
   const std::vector<const Candidate*> leading = r.leading();

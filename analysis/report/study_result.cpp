@@ -85,7 +85,7 @@ bool StudyResult::take(const DemFile& given) {
   }
   Comparison judged = comparison;
   judge(judged, study, observations, given.model_um);
-  dem = DemResult{given.file, judged.model, judged.residuals, judged.rms_relative_error};
+  dem = DemResult{given.file, judged.model, judged.residuals, rms_relative_error(judged.rms)};
   return true;
 }
 
@@ -105,10 +105,7 @@ std::vector<const Candidate*> StudyResult::leading() const {
 
 double StudyResult::measured_sigma(std::size_t row) const {
   const Observation& o = observations.list[row];
-  if (o.row.kind() != KatRow::Kind::critical_diameter) return o.sigma;
-  // An assumed noise is that of the whole difference.
-  const double discrepancy = observations.noise.known() ? observations.noise.discrepancy : 0.0;
-  return o.measured * std::sqrt(std::max(0.0, o.sigma * o.sigma - discrepancy * discrepancy));
+  return o.row.kind() == KatRow::Kind::critical_diameter ? o.measured * o.noise : o.noise;
 }
 
 }  // namespace powderlink::analysis

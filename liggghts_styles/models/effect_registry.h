@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file effect_registry.h
 /// All effects by name: what `powderlink effects` prints and what studies and scripts may switch
-/// on.
+/// on. No two effects share a name, and no two parameters: fits, tables and JSON call them by it.
+/// Tests: tests/models/effects_test.cpp
 #pragma once
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -19,6 +21,25 @@ struct EffectEntry {
   std::function<std::unique_ptr<Effect>(const std::vector<double>& parameters)> make;
 };
 
+/// Throws InvalidInput for a name that is taken.
+inline const std::vector<EffectEntry>& require_distinct_names(
+    const std::vector<EffectEntry>& entries) {
+  std::map<std::string, std::string> owner = {{"adhesive_energy_J_m2", "the interface"}};
+  const auto take = [&](const std::string& name, const std::string& effect) {
+    const auto [taken, is_new] = owner.emplace(name, effect);
+    if (is_new) return;
+    throw InvalidInput("effect " + effect + " of models/effects.def",
+                       "the name '" + name + "', which " + taken->second + " has",
+                       "names that no other effect or parameter has",
+                       "rename it in its header, such as '" + effect + "_" + name + "'");
+  };
+  for (const EffectEntry& e : entries) take(e.info->name, e.info->name);
+  for (const EffectEntry& e : entries) {
+    for (const EffectParameter& p : e.info->parameters) take(p.name, e.info->name);
+  }
+  return entries;
+}
+
 inline const std::vector<EffectEntry>& effect_registry() {
   static const std::vector<EffectEntry> entries = {
 #define POWDERLINK_EFFECT(NAME, CLASS)                                           \
@@ -28,7 +49,8 @@ inline const std::vector<EffectEntry>& effect_registry() {
 #include "models/effects.def"
 #undef POWDERLINK_EFFECT
   };
-  return entries;
+  static const std::vector<EffectEntry>& checked = require_distinct_names(entries);
+  return checked;
 }
 
 /// Throws InvalidInput that lists the valid names.

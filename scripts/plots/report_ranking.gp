@@ -1,6 +1,6 @@
 # Ranking of explanations: evidence against the study's own model (BIC) and error on rows left out.
 # Called by powderlink report, which sets: table, output, rows, names (separated by
-# blanks), lowest and widest (of the evidence), most_loo (%).
+# blanks), lowest and widest (of the evidence), most_loo (of what is left out, in unit).
 set terminal svg size 900,(170 + 34 * rows) @look
 set output output
 set datafile separator ","
@@ -38,7 +38,7 @@ unset arrow 1
 
 set lmargin at screen 0.71
 set rmargin at screen 0.985
-set xlabel "error on rows left out (%)" font ",16"
+set xlabel "error on rows left out (".unit.")" font ",16"
 set xtics tic_step(0, most_loo)
 set xrange [0 : 1.3 * most_loo]
 unset ytics

@@ -1,6 +1,8 @@
 #!/usr/bin/env bash
-# diagnosis_sample.sh MAKE_SETS DIAGNOSE_SETS: 30 sets with hidden effects, always the same; fails when a
-# rate of right answers is below its target by more than chance allows (one in a thousand).
+# diagnosis_sample.sh MAKE_SETS DIAGNOSE_SETS: 30 sets with hidden effects, always the same, so that their
+# answers do not depend on chance; fails when a rate misses its target: of 16 effects 15 first or not told
+# apart, 12 named alone, one other named at most; one false alarm of 8 at most; of 6 from outside the
+# catalogue 5 not explained and none named alone.
 set -euo pipefail
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT

@@ -4,10 +4,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
 #include "analysis/critical_diameter.h"
+#include "analysis/evidence/added_effects.h"
+#include "analysis/evidence/comparison.h"
 #include "analysis/material_library.h"
 #include "tests/analysis/test_files.h"
 
@@ -88,6 +91,40 @@ TEST(Diagnosis, AStepIsNotExplained) {
   EXPECT_NE(last.find("between 1.9 and 2.5 m/s"), std::string::npos) << last;
 }
 
+void expect_same_fit(const Candidate& a, const Candidate& b) {
+  SCOPED_TRACE(a.name);
+  EXPECT_EQ(a.name, b.name);
+  EXPECT_EQ(a.bic, b.bic);
+  EXPECT_EQ(a.solution.values, b.solution.values);
+}
+
+TEST(Diagnosis, AddingFitsAsTheRankingDid) {
+  const Study s = steel_study(90.0, {{"electrostatic_image_force", {1.8e-4}}}, 0.02);
+  const Observations o = observe(s);
+  for (const Candidate& c : diagnose(s, o).ranking) {
+    if (!c.added.empty()) expect_same_fit(fit_added(s, o, c.added), c);
+  }
+}
+
+TEST(Diagnosis, TwoEffectsAreAddedAsTheyWereFound) {
+  // Flat at low v, as a cut-off makes it, and up by a quarter of its slope from -1.2 at high v.
+  Study s = steel_study(40.0, {}, 0.01);
+  for (KatRow& row : s.rows) {
+    const double v = row.impact_velocity_m_s;
+    row.critical_diameter_um = 60.0 / std::pow(1.0 + std::pow(v / 2.0, 8.0 * 0.8), 1.0 / 8.0);
+    row.critical_diameter_sigma_um = 0.01 * *row.critical_diameter_um;
+  }
+  s.adhesive_energy = {0.001, 1000.0};
+  const Observations o = observe(s);
+  const Diagnosis d = diagnose(s, o);
+  ASSERT_FALSE(d.pairs.empty());
+  const Candidate& pair = d.pairs.front();
+  ASSERT_EQ(pair.added.size(), 2U);
+  expect_same_fit(fit_added(s, o, {pair.added[1], pair.added[0]}), pair);  // in either order
+  expect_refusal([&] { fit_candidate(s, o, pair.added); }, {"no point to start from"});
+  expect_refusal([&] { fit_added(s, o, {"a", "b", "c"}); }, {"'a+b+c'", "two as a+b"});
+}
+
 TEST(Diagnosis, AnImplausibleLeaderDoesNotHideThePlausibleOne) {
   // The seven drops of Zafar et al. 2014, without sigma.
   Study s;
@@ -104,15 +141,15 @@ TEST(Diagnosis, AnImplausibleLeaderDoesNotHideThePlausibleOne) {
   const Diagnosis d = diagnosed(s);
   EXPECT_EQ(d.verdict, Verdict::ambiguous);
   EXPECT_EQ(d.best, "finite_stop_pulse");
-  EXPECT_NEAR(d.baseline().rms_relative_error, 0.333, 0.002);
+  EXPECT_NEAR(rms_relative_error(d.baseline().rms), 0.333, 0.002);
   const Candidate& stop = d.get("finite_stop_pulse");
   EXPECT_TRUE(stop.plausible);
-  EXPECT_NEAR(stop.rms_relative_error, 0.065, 0.002);
+  EXPECT_NEAR(rms_relative_error(stop.rms), 0.065, 0.002);
   EXPECT_GE(stop.find("adhesive_energy_J_m2")->value, 0.05);
   EXPECT_LE(stop.find("adhesive_energy_J_m2")->value, 0.2);
   const Candidate& cutoff = d.get("psd_cutoff");
   EXPECT_FALSE(cutoff.plausible);
-  EXPECT_LT(cutoff.rms_relative_error, 0.03);
+  EXPECT_LT(rms_relative_error(cutoff.rms), 0.03);
   EXPECT_GT(cutoff.find("adhesive_energy_J_m2")->value, 80.0);
   EXPECT_GT(d.next.separation_sigma, 3.0);
 }
@@ -143,6 +180,46 @@ TEST(Diagnosis, AFitAtABoundIsNotConfident) {
   const Diagnosis d = diagnosed(s);
   EXPECT_NE(d.verdict, Verdict::missing_effect);
   EXPECT_NE(d.verdict, Verdict::no_missing_effect);
+}
+
+bool told(const std::vector<std::string>& words, const std::string& what) {
+  return std::any_of(words.begin(), words.end(),
+                     [&](const std::string& w) { return w.find(what) != std::string::npos; });
+}
+
+TEST(Diagnosis, ABoundOfGammaIsNeverConfidentAndAlwaysTold) {
+  // Instant stop: d_c ~ Gamma. The bound is this part of the Gamma that made the data.
+  const std::string sentence = "stopped at a bound of the fit, 0.001 to ";
+  for (const double part : {0.9, 0.99}) {
+    for (const bool stated : {true, false}) {
+      SCOPED_TRACE(testing::Message() << part << (stated ? " stated" : " assumed"));
+      Study s = steel_study(4.0, {}, 1e-3, stated);  // so that chance does not move Gamma
+      for (KatRow& row : s.rows) {
+        if (stated) row.critical_diameter_sigma_um = 0.02 * *row.critical_diameter_um;
+      }
+      s.adhesive_energy.upper_J_m2 = part * 4.0;
+      const Observations o = observe(s);
+      const Diagnosis d = diagnose(s, o);
+      EXPECT_TRUE(d.verdict == Verdict::ambiguous || d.verdict == Verdict::unexplained)
+          << to_string(d.verdict);
+      EXPECT_TRUE(told(d.words, sentence));
+      const Comparison c = compare(s, o);
+      EXPECT_NE(c.verdict, Comparison::Verdict::agrees);
+      EXPECT_TRUE(told(c.words, sentence));
+    }
+  }
+  // As well where Gamma is implausible: 16 % short, an effect would be named.
+  Study strong = steel_study(95.0, {}, 0.02);
+  strong.adhesive_energy.upper_J_m2 = 80.0;
+  const Diagnosis short_of = diagnosed(strong);
+  EXPECT_EQ(short_of.verdict, Verdict::ambiguous);
+  EXPECT_FALSE(short_of.best.empty());
+  EXPECT_TRUE(told(short_of.words, "widen the bounds"));
+  Study s = steel_study(4.0, {}, 1e-3);
+  s.adhesive_energy.upper_J_m2 = 1.01 * 4.0;
+  const Observations o = observe(s);
+  EXPECT_EQ(diagnose(s, o).verdict, Verdict::no_missing_effect);
+  EXPECT_EQ(compare(s, o).verdict, Comparison::Verdict::agrees);
 }
 
 TEST(Diagnosis, ABoundThatForcesImplausibleValuesIsNotConfident) {

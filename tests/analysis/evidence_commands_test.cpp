@@ -2,7 +2,9 @@
 // compare, diagnose and add as users call them; keys of the JSON are a contract.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "tests/analysis/command_line.h"
 
@@ -104,6 +106,87 @@ TEST(EvidenceCommands, AddMakesAStudyWithAFallenError) {
   const CommandResult itself = powderlink("add " + study + " psd_cutoff -o " + study);
   EXPECT_EQ(itself.status, 1);
   EXPECT_NE(itself.err.find("another file"), std::string::npos) << itself.err;
+}
+
+TEST(EvidenceCommands, AddTakesTwoEffects) {
+  const TestFolder folder;
+  const std::string study = (folder.path() / "pair.toml").string();
+  const CommandResult r = powderlink("add " + kZafar + " finite_stop_pulse+psd_cutoff -o " + study);
+  ASSERT_EQ(r.status, 0) << r.err;
+  const std::string text = read_file(study);
+  EXPECT_NE(text.find("[effect.finite_stop_pulse]"), std::string::npos) << text;
+  EXPECT_NE(text.find("[effect.psd_cutoff]"), std::string::npos) << text;
+  const CommandResult three = powderlink(
+      "add " + kZafar + " finite_stop_pulse+psd_cutoff+surface_roughness -o " + study + "3");
+  EXPECT_EQ(three.status, 1);
+  EXPECT_NE(three.err.find("two as a+b"), std::string::npos) << three.err;
+}
+
+TEST(EvidenceCommands, DiagnoseSaysHowToAddBothOfTwoEffects) {
+  // Flat at low v, as a cut-off makes it, and less steep than any single effect at high v.
+  const TestFolder folder;
+  std::string csv = "impact_velocity_m_s,critical_diameter_um,critical_diameter_sigma_um\n";
+  for (const double v : {1.0, 1.4, 1.9, 2.5, 3.2, 4.0, 4.9, 5.9}) {
+    const double d = 60.0 / std::pow(1.0 + std::pow(v / 2.0, 6.4), 0.125);
+    csv += std::to_string(v) + "," + std::to_string(d) + "," + std::to_string(0.01 * d) + "\n";
+  }
+  folder.write("drop.csv", csv);
+  const auto study = folder.write(
+      "study.toml",
+      "[study]\nexperiment = \"kat_critical_diameter\"\nmeasurements = \"drop.csv\"\n"
+      "[particle]\nmaterial = \"316L\"\n[substrate]\nmaterial = \"borosilicate_glass\"\n"
+      "[fit]\nadhesive_energy_J_m2 = [0.001, 1000.0]\n");
+  const std::string json = (folder.path() / "d.json").string();
+  const CommandResult r = powderlink("diagnose " + study.string() + " --json " + json);
+  ASSERT_EQ(r.status, 0) << r.err;
+  const std::string best = nlohmann::json::parse(read_file(json)).at("best");
+  ASSERT_NE(best.find('+'), std::string::npos) << best;
+  EXPECT_NE(r.out.find("powderlink add " + study.string() + " " + best + " -o "), std::string::npos)
+      << r.out;
+}
+
+TEST(EvidenceCommands, EveryQuantityHasItsOwnUnit) {
+  const TestFolder folder;
+  folder.write("drops.csv", "impact_velocity_m_s,critical_diameter_um\n1,91\n2,38\n3,24\n4,17\n");
+  folder.write("speeds.csv",
+               "impact_velocity_m_s,diameter_um,residual_velocity_m_s,residual_velocity_sigma_m_s\n"
+               "2,80,1.9,0.02\n2,60,1.9,0.02\n");
+  folder.write("counts.csv",
+               "impact_velocity_m_s,diameter_um,count_before,count_after\n2,30,50,10\n2,60,50,2\n");
+  const auto compared = [&](const std::string& tables) {
+    const auto study = folder.write(
+        "study.toml", "[study]\nexperiment = \"kat_retention\"\nmeasurements = " + tables +
+                          "\n[particle]\nmaterial = \"316L\"\n[substrate]\nmaterial = "
+                          "\"borosilicate_glass\"\n[fit]\nadhesive_energy_J_m2 = 90.0\n");
+    const std::string json = (folder.path() / "c.json").string();
+    const CommandResult r = powderlink("compare " + study.string() + " --json " + json);
+    EXPECT_EQ(r.status, 0) << r.err;
+    return std::make_pair(r.out, nlohmann::json::parse(read_file(json)));
+  };
+  const auto [text, j] = compared("[\"drops.csv\", \"speeds.csv\", \"counts.csv\"]");
+  for (const char* words :
+       {"rms relative error of critical diameters ", " %, rms error of retained shares 0.",
+        "rms error of residual speeds 0.", " m/s, chi^2/dof", "grains of 30 um (share 0.2)",
+        "grains of 80 um (1.9 m/s)", "critical diameter [um]", "residual speed [m/s]",
+        "critical diameters of drops.csv: no sigma in the table"}) {
+    EXPECT_NE(text.find(words), std::string::npos) << words << "\n" << text;
+  }
+  // Each by itself, from the points.
+  double squares[3] = {};
+  for (const auto& p : j.at("points")) {
+    const double off = p.at("model").get<double>() - p.at("measured").get<double>();
+    if (p.contains("sigma_relative"))
+      squares[0] += std::pow(off / p.at("measured").get<double>(), 2);
+    if (p.contains("sigma_m_s")) squares[1] += off * off;
+    if (p.contains("sigma_share")) squares[2] += off * off;
+  }
+  constexpr double rounding = 1e-9;
+  EXPECT_NEAR(j.at("rms_relative_error").get<double>(), std::sqrt(squares[0] / 4.0), rounding);
+  EXPECT_NEAR(j.at("rms_speed_error_m_s").get<double>(), std::sqrt(squares[1] / 2.0), rounding);
+  EXPECT_NEAR(j.at("rms_share_error").get<double>(), std::sqrt(squares[2] / 2.0), rounding);
+  const auto [shares, only] = compared("[\"counts.csv\"]");
+  EXPECT_TRUE(only.at("rms_relative_error").is_null());
+  EXPECT_EQ(shares.find("relative"), std::string::npos) << shares;
 }
 
 TEST(EvidenceCommands, BadInputIsToldPlainly) {

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -24,6 +25,38 @@ TEST(Trends, ExactValuesOfSmallSamples) {
   // chi^2 with 2 degrees of freedom: p = exp(-x/2).
   EXPECT_NEAR(scatter_p_value({1, 1, 2}, 1), std::exp(-3.0), kRounding);
   EXPECT_EQ(scatter_p_value({1, 1}, 2), 1.0) << "no degree of freedom, no test";
+}
+
+/// Normal limit of the number of runs among a positive and b negative signs, with continuity.
+double runs_p_of_large_samples(double a, double b, double runs) {
+  const double n = a + b;
+  const double mean = 1.0 + 2.0 * a * b / n;
+  const double variance = (mean - 1.0) * (mean - 2.0) / (n - 1.0);
+  return 0.5 * std::erfc(-(runs + 0.5 - mean) / std::sqrt(2.0 * variance));
+}
+
+TEST(Trends, ManyRowsFollowTheNormalLimit) {
+  constexpr int n = 2000;
+  std::vector<double> x, r;
+  std::mt19937_64 random(2);
+  std::normal_distribution<double> normal;
+  double before = 0.0;
+  for (int i = 0; i < n; ++i) {
+    x.push_back(1.0 + i);
+    before = 0.03 * before + normal(random);  // neighbours agree a little
+    r.push_back(before);
+  }
+  int plus = 0, runs = 1;
+  for (std::size_t i = 0; i < r.size(); ++i) {
+    plus += r[i] > 0.0;
+    runs += i > 0 && (r[i] > 0.0) != (r[i - 1] > 0.0);
+  }
+  constexpr double limit = 2e-3;  // what is left of 1/n behind the continuity correction
+  EXPECT_NEAR(runs_p_value(x, r), runs_p_of_large_samples(plus, n - plus, runs), limit);
+  std::vector<double> halves(n, -1.0);
+  std::fill(halves.begin() + n / 2, halves.end(), 1.0);
+  EXPECT_LT(runs_p_value(x, halves), 1e-300) << "2 of C(2000, 1000) arrangements";
+  EXPECT_GT(runs_p_value(x, r), 0.0);
 }
 
 TEST(Trends, CurveTakesOffAParabolaInTheLogarithm) {

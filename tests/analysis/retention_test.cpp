@@ -26,7 +26,8 @@ std::string study_text(const std::string& measurements, const std::string& exper
 double steel_critical_um(double energy, double velocity = kVelocity) {
   const TestFolder folder;
   folder.write("d.csv", "impact_velocity_m_s,critical_diameter_um\n1,60\n");
-  const Study s = read_study(folder.write("s.toml", study_text("\"d.csv\"", "kat_retention")));
+  const Study s =
+      read_study(folder.write("s.toml", study_text("\"d.csv\"", "kat_critical_diameter")));
   return predicted_diameter_um(s, {{}, energy}, KatRow{velocity});
 }
 
@@ -124,6 +125,23 @@ TEST(Tables, MayBeCombined) {
   EXPECT_GT(s.rows.size(), 12U);
   const Comparison c = compare(s, observe(s));
   EXPECT_NEAR(c.fit.find("adhesive_energy_J_m2")->value / kEnergy, 1.0, 0.03);
+}
+
+TEST(Tables, AreOfTheExperimentThatTheStudyNames) {
+  const TestFolder folder;
+  folder.write("counts.csv",
+               "impact_velocity_m_s,diameter_um,count_before,count_after\n2,50,9,4\n");
+  folder.write("drops.csv", "impact_velocity_m_s,critical_diameter_um\n2,50\n");
+  const auto read = [&](const std::string& tables, const std::string& experiment) {
+    return read_study(folder.write("s.toml", study_text(tables, experiment))).rows.size();
+  };
+  const std::string both = "[\"drops.csv\", \"counts.csv\"]";
+  EXPECT_EQ(read(both, "kat_retention"), 2U);
+  EXPECT_EQ(read("\"drops.csv\"", "kat_critical_diameter"), 1U);
+  expect_refusal([&] { read(both, "kat_critical_diameter"); },
+                 {"experiment", "counts.csv", "write \"kat_retention\""});
+  expect_refusal([&] { read("\"drops.csv\"", "kat_retention"); },
+                 {"experiment", "count_before", "write \"kat_critical_diameter\""});
 }
 
 TEST(Tables, BadCountsAreRefused) {

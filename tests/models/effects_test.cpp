@@ -314,6 +314,29 @@ void expect_baseline(const Effect& e) {
   }
 }
 
+/// The registry with one more effect, that makes nothing.
+std::vector<EffectEntry> with_one_more(const models::EffectInfo& info) {
+  std::vector<EffectEntry> entries = effect_registry();
+  entries.push_back({&info, {}});
+  return entries;
+}
+
+TEST(EffectRegistry, NamesThatAreTakenAreRefused) {
+  const models::EffectInfo fine{"films", "", "", {{"film_exponent", 0, 1, 0, 1, 0, 1, ""}}};
+  EXPECT_EQ(models::require_distinct_names(with_one_more(fine)).size(),
+            effect_registry().size() + 1);
+  const models::EffectInfo parameter{"films", "", "", {{"exponent", 0, 1, 0, 1, 0, 1, ""}}};
+  const models::EffectInfo energy{
+      "films", "", "", {{"adhesive_energy_J_m2", 0, 1, 0, 1, 0, 1, ""}}};
+  const models::EffectInfo effect{"psd_cutoff", "", "", {}};
+  EXPECT_TRUE(refuses([&] { models::require_distinct_names(with_one_more(parameter)); },
+                      "effect films", "'exponent', which rate_dependent_adhesion has"));
+  EXPECT_TRUE(refuses([&] { models::require_distinct_names(with_one_more(energy)); },
+                      "effect films", "which the interface has"));
+  EXPECT_TRUE(refuses([&] { models::require_distinct_names(with_one_more(effect)); },
+                      "effect psd_cutoff", "'psd_cutoff', which psd_cutoff has"));
+}
+
 TEST(EffectRegistry, OffValuesRecoverTheBaseline) {
   for (const EffectEntry& entry : effect_registry()) {
     SCOPED_TRACE(entry.info->name);

@@ -56,8 +56,9 @@ TEST(UserEffect, IsNamedAndTheErrorFalls) {
   const Diagnosis d = diagnose(study, observations);
   EXPECT_EQ(d.best, "breaking_film");
   EXPECT_EQ(d.ranking.front().name, "breaking_film");
-  EXPECT_LT(d.get("breaking_film").rms_relative_error, 1.5 * kNoise);
-  EXPECT_GT(d.baseline().rms_relative_error, 3.0 * d.get("breaking_film").rms_relative_error);
+  EXPECT_LT(rms_relative_error(d.get("breaking_film").rms), 1.5 * kNoise);
+  EXPECT_GT(rms_relative_error(d.baseline().rms),
+            3.0 * rms_relative_error(d.get("breaking_film").rms));
   EXPECT_NEAR(d.get("breaking_film").find("breaking_radius_m")->value / 14e-6, 1.0, 0.1);
 
   // The ordinary program does not know it and claims nothing.
