@@ -4,6 +4,9 @@
 #include "plugin/liggghts_errors.h"
 
 #include <dlfcn.h>
+#include <cstdio>
+
+#include <mpi.h>
 
 #include "compute.h"
 #include "error.h"
@@ -23,9 +26,15 @@ void keep(const char* who, const char* text, const char* file, int line) {
            file + ":" + std::to_string(line) + ")";
 }
 
+/// LIGGGHTS's own function; the error is printed here where its name is not known.
 template <class Function>
 Function next(const char* symbol) {
-  return reinterpret_cast<Function>(dlsym(RTLD_NEXT, symbol));
+  void* const found = dlsym(RTLD_NEXT, symbol);
+  if (found == nullptr) {
+    std::fprintf(stderr, "ERROR: %s\n", kept().c_str());
+    MPI_Abort(MPI_COMM_WORLD, 1);
+  }
+  return reinterpret_cast<Function>(found);
 }
 
 }  // namespace
@@ -42,38 +51,38 @@ namespace plugin = powderlink::plugin;
 
 void Error::all(const char* file, int line, const char* text) {
   using Function = void (*)(Error*, const char*, int, const char*);
-  static const auto next = plugin::next<Function>("_ZN9LAMMPS_NS5Error3allEPKciS2_");
   plugin::keep(nullptr, text, file, line);
+  static const auto next = plugin::next<Function>("_ZN9LAMMPS_NS5Error3allEPKciS2_");
   next(this, file, line, text);
 }
 
 void Error::one(const char* file, int line, const char* text) {
   using Function = void (*)(Error*, const char*, int, const char*);
-  static const auto next = plugin::next<Function>("_ZN9LAMMPS_NS5Error3oneEPKciS2_");
   plugin::keep(nullptr, text, file, line);
+  static const auto next = plugin::next<Function>("_ZN9LAMMPS_NS5Error3oneEPKciS2_");
   next(this, file, line, text);
 }
 
 void Error::fix_error(const char* file, int line, Fix* fix, const char* text) {
   using Function = void (*)(Error*, const char*, int, Fix*, const char*);
-  static const auto next = plugin::next<Function>("_ZN9LAMMPS_NS5Error9fix_errorEPKciPNS_3FixES2_");
   plugin::keep(fix->style, text, file, line);
+  static const auto next = plugin::next<Function>("_ZN9LAMMPS_NS5Error9fix_errorEPKciPNS_3FixES2_");
   next(this, file, line, fix, text);
 }
 
 void Error::fix_error(const char* file, int line, Fix* fix, const char* style, const char* text) {
   using Function = void (*)(Error*, const char*, int, Fix*, const char*, const char*);
+  plugin::keep(style, text, file, line);
   static const auto next =
       plugin::next<Function>("_ZN9LAMMPS_NS5Error9fix_errorEPKciPNS_3FixES2_S2_");
-  plugin::keep(style, text, file, line);
   next(this, file, line, fix, style, text);
 }
 
 void Error::compute_error(const char* file, int line, Compute* compute, const char* text) {
   using Function = void (*)(Error*, const char*, int, Compute*, const char*);
+  plugin::keep(compute->style, text, file, line);
   static const auto next =
       plugin::next<Function>("_ZN9LAMMPS_NS5Error13compute_errorEPKciPNS_7ComputeES2_");
-  plugin::keep(compute->style, text, file, line);
   next(this, file, line, compute, text);
 }
 
