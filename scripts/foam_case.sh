@@ -4,6 +4,8 @@
 #                              [--transport mpi|socket]; sets short, ranks, out, dem_ranks, transport
 #   foam_case_copy [FOLDER]    the native files (of FOLDER) to $out/case, and cd there; with a name in
 #                              case_copy: to $out/$case_copy
+#   foam_case_end FULL SHORT STEP    end time [s] of the form, into system/caseSettings and end_s; steps of
+#                              LIGGGHTS until then, of STEP seconds each, into dem_steps
 #   foam_case_run PROGRAM ...  runs it, log.PROGRAM beside the case; its last lines on failure
 #   foam_case_decompose        for more than one rank, along decompose_axis (x, y or z; default z)
 #   foam_case_solve            decomposes, runs powderFoam; adds to wall_s
@@ -11,6 +13,7 @@
 #                              OPTIONS as one coupled job; log.powderFoam, log.liggghts.screen; adds to
 #                              wall_s; OPTIONS are for LIGGGHTS (-var NAME VALUE)
 #   foam_case_result NAME UNIT VALUE REFERENCE TOLERANCE SOURCE   as case_result (case_results.sh)
+#   foam_case_closure NAME     the worst balance of an exchange in powderFoam's own sums as a quantity
 #   foam_case_write CASE       results.json in $out; exit status 1 if a quantity fails
 # The programs are taken from POWDERLINK_BIN, else from the repository's build/bin.
 # POWDERLINK_CASE_LIMIT_S: longest time of a solver run, default 3600 s.
@@ -91,6 +94,13 @@ foam_case_copy() {
   if [[ $short == yes && -f system/caseSettings.short ]]; then
     cp system/caseSettings.short system/caseSettings
   fi
+}
+
+foam_case_end() {  # full, short, step of LIGGGHTS
+  end_s=$1
+  if [[ $short == yes ]]; then end_s=$2; fi
+  sed -i "s/^endTime .*/endTime     $end_s;/" system/caseSettings
+  dem_steps=$(awk -v t="$end_s" -v dt="$3" 'BEGIN { printf "%d", t/dt + 0.5 }')
 }
 
 foam_case_run() {
@@ -190,6 +200,14 @@ foam_case_socket_job() {
 }
 
 foam_case_result() { case_result "$@"; }
+
+foam_case_closure() {  # name
+  local closure
+  closure=$(awk '/^momentum \[N s\]:/ { n++; if ($NF > worst) worst = $NF } END { if (n) printf "%.3e", worst }' \
+    log.powderFoam)
+  foam_case_result "$1" 1 "$closure" 0 1e-10 \
+    "powderFoam's own sum after each exchange: fluid, particles and what is open, over what was exchanged"
+}
 
 foam_case_write() {
   local openfoam liggghts

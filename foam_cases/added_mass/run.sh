@@ -7,12 +7,10 @@ cd "$(dirname "$0")"
 decompose_axis=x
 foam_case_options "$@"
 foam_case_copy
-end_s=0.1
-if [[ $short == yes ]]; then end_s=0.05; fi
-sed -i "s/^endTime .*/endTime     $end_s;/" system/caseSettings
+foam_case_end 0.1 0.05 1e-5
 
 foam_case_run blockMesh
-foam_case_couple in.added_mass -var steps "$(awk -v t="$end_s" 'BEGIN { printf "%d", t/1e-5 + 0.5 }')"
+foam_case_couple in.added_mass -var steps "$dem_steps"
 
 # Acceleration of each sphere between 20 ms and the end. Not from 0: the first interval begins with
 # water that has not been accelerated yet.
@@ -33,8 +31,5 @@ while read -r value; do
     "$(awk -v r="$density" 'BEGIN { printf "%.10g", 10*3*998.2/(998.2 + 2*r) }')" 1e-5 \
     "sphere of density rho_p in an ideal fluid: 3 rho/(rho + 2 rho_p) times the fluid's acceleration"
 done <<<"$accelerations"
-closure=$(awk '/^momentum \[N s\]:/ { n++; if ($NF > worst) worst = $NF } END { if (n) printf "%.3e", worst }' \
-  log.powderFoam)
-foam_case_result exchange_closure 1 "$closure" 0 1e-10 \
-  "powderFoam's own sum after each exchange: fluid, particles and what is open, over what was exchanged"
+foam_case_closure exchange_closure
 foam_case_write added_mass

@@ -7,12 +7,10 @@ cd "$(dirname "$0")"
 reference=$PWD/reference.awk
 foam_case_options "$@"
 foam_case_copy
-end_s=1.2
-if [[ $short == yes ]]; then end_s=0.8; fi
-sed -i "s/^endTime .*/endTime     $end_s;/" system/caseSettings
+foam_case_end 1.2 0.8 1e-5
 
 foam_case_run blockMesh
-foam_case_couple in.settling_sphere -var steps "$(awk -v t="$end_s" 'BEGIN { printf "%d", t/1e-5 + 0.5 }')"
+foam_case_couple in.settling_sphere -var steps "$dem_steps"
 
 # One line per sphere: diameter [um], velocity at the end, largest deviation from the equation of
 # motion over the terminal velocity.

@@ -8,13 +8,11 @@ reference=$PWD/reference.awk
 decompose_axis=x
 foam_case_options "$@"
 foam_case_copy
-end_s=0.05
-if [[ $short == yes ]]; then end_s=0.02; fi
-sed -i "s/^endTime .*/endTime     $end_s;/" system/caseSettings
+foam_case_end 0.05 0.02 1e-5
 
 foam_case_run blockMesh
 foam_case_run setExprFields
-foam_case_couple in.shear_lift -var steps "$(awk -v t="$end_s" 'BEGIN { printf "%d", t/1e-5 + 0.5 }')"
+foam_case_couple in.shear_lift -var steps "$dem_steps"
 
 # Each line: name, unit, value, reference.
 while read -r name unit value expected; do
