@@ -182,8 +182,7 @@ void FixCoupleBridge::count_added_mass() {
   const double* const* step = properties_.step();
   for (int i = 0; i < atom->nlocal; ++i) {
     const double state = step[i][FluidProperties::kState];
-    if (!(atom->mask[i] & groupbit) ||
-        (state != FluidProperties::kOwn && state != FluidProperties::kBorrowed)) {
+    if (!(atom->mask[i] & groupbit) || !FluidProperties::is_acted_on(state)) {
       continue;
     }
     double* last = place[i] + FluidProperties::kVelocity;
@@ -208,7 +207,7 @@ void FixCoupleBridge::remember_place(int i) {
 void FixCoupleBridge::copy_arrays(int /*from*/, int to, int removed) {
   if (removed == 0 || !link_ || over_) return;
   const double state = properties_.step()[to][FluidProperties::kState];
-  if (state != FluidProperties::kOwn && state != FluidProperties::kBorrowed) return;
+  if (!FluidProperties::is_acted_on(state)) return;
   const double* place = properties_.place()[to];
   VanishedParticle particle;
   particle.id = place[FluidProperties::kId];

@@ -305,7 +305,7 @@ void FixCoupleBridge::settle() {
   const double* const* step = properties_.step();
   for (int i = 0; i < atom->nlocal; ++i) {
     const double state = step[i][FluidProperties::kState];
-    if (state != FluidProperties::kOwn && state != FluidProperties::kBorrowed) continue;
+    if (!FluidProperties::is_acted_on(state)) continue;
     leaving_.see(atom->tag[i], state == FluidProperties::kBorrowed);
   }
   const std::vector<VanishedParticle> gone = leaving_.vanished(world);

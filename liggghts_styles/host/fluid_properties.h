@@ -29,6 +29,8 @@ class FluidProperties {
   /// What column kState says; new atoms have kNew. kNothing: outside the mesh of the solver, or new
   /// when the solver knew none.
   enum State { kNew = 0, kOwn = 1, kBorrowed = 2, kNothing = 3 };
+  /// Does the fluid act on a particle of that state.
+  static bool is_acted_on(double state) { return state == kOwn || state == kBorrowed; }
 
   explicit FluidProperties(LAMMPS_NS::LAMMPS* lmp) : lmp_(lmp) {}
   /// Makes the properties; to be called in post_create().

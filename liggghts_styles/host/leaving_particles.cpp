@@ -24,29 +24,28 @@ bool LeavingParticles::collect(MPI_Comm world) {
   // From rank to rank and then away: what it took is complete where it left last.
   for (const VanishedParticle& particle : all) {
     const std::pair<double, bool> key(particle.id, particle.borrowed != 0.0);
-    const auto known = newest_.find(key);
-    if (known == newest_.end() || known->second.step < particle.step) newest_[key] = particle;
+    const auto [entry, is_new] = departures_.try_emplace(key);
+    VanishedParticle& newest = entry->second.newest;
+    if (is_new || newest.step < particle.step) newest = particle;
   }
-  for (const auto& entry : newest_) seen_[entry.first] = 0;
   return true;
 }
 
 void LeavingParticles::see(double id, bool borrowed) {
-  const auto found = seen_.find({id, borrowed});
-  if (found != seen_.end()) found->second = 1;
+  const auto found = departures_.find({id, borrowed});
+  if (found != departures_.end()) found->second.seen = 1;
 }
 
 std::vector<VanishedParticle> LeavingParticles::vanished(MPI_Comm world) {
   std::vector<int> seen;
-  for (const auto& entry : seen_) seen.push_back(entry.second);
+  for (const auto& [key, departure] : departures_) seen.push_back(departure.seen);
   MPI_Allreduce(MPI_IN_PLACE, seen.data(), static_cast<int>(seen.size()), MPI_INT, MPI_MAX, world);
   std::vector<VanishedParticle> gone;
   std::size_t n = 0;
-  for (const auto& entry : newest_) {
-    if (seen[n++] == 0) gone.push_back(entry.second);
+  for (const auto& [key, departure] : departures_) {
+    if (seen[n++] == 0) gone.push_back(departure.newest);
   }
-  newest_.clear();
-  seen_.clear();
+  departures_.clear();
   return gone;
 }
 

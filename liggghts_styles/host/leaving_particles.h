@@ -10,7 +10,7 @@
 ///   }
 ///
 /// Tags are used again: a particle is known by its id and by whether it came after the last exchange.
-/// Tests: tests/host/couple_bridge_vanished_test.cpp
+/// Tests: tests/host/couple_bridge_traffic_test.cpp
 #pragma once
 
 #include <map>
@@ -43,9 +43,12 @@ class LeavingParticles {
   std::vector<VanishedParticle> vanished(MPI_Comm world);
 
  private:
+  struct Departure {
+    VanishedParticle newest;
+    int seen = 0;
+  };
   std::vector<VanishedParticle> left_;
-  std::map<std::pair<double, bool>, VanishedParticle> newest_;  ///< of all ranks
-  std::map<std::pair<double, bool>, int> seen_;                 ///< keys of newest_
+  std::map<std::pair<double, bool>, Departure> departures_;  ///< of all ranks
 };
 
 }  // namespace powderlink::host
