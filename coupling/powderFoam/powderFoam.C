@@ -149,9 +149,10 @@ int main(int argc, char *argv[])
         breakOff(problem, particles());
     }
 
-    mpiWorld::finalise();
-
     Info<< "End\n" << endl;
+
+    // Afterwards the end of the other program may end this one, too
+    mpiWorld::finalise();
 
     return 0;
 }

@@ -12,15 +12,15 @@ bridge::MpiWorld& world_of_process() {
   return world;
 }
 
-bool met = false;
+bool parted = false;
 
 }  // namespace
 
 const bridge::MpiWorld& coupled_world() { return world_of_process(); }
 void set_coupled_world(const bridge::MpiWorld& world) { world_of_process() = world; }
 
-bool has_met_other_program() { return met; }
-void note_other_program_met() { met = true; }
+bool has_parted() { return parted; }
+void note_parted() { parted = true; }
 
 void say_last_words(const std::string& why) { bridge::say_last_words(why); }
 

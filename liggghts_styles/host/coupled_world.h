@@ -1,20 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file coupled_world.h
-/// How the launcher tells the fix that couples which other program shares the mpirun, and the fix
-/// the launcher that it has met it; and the way to the other program's log for the launcher's errors.
+/// How the start of the process tells the fix that couples which other program shares the mpirun, and
+/// the fix the end of the process that both have parted in order; and the way to the other program's log
+/// for errors.
 #pragma once
 
 #include "coupling/bridge/mpi_world.h"
 
 namespace powderlink::host {
 
-/// Of this process; without set_coupled_world() (LD_PRELOAD) it holds no other program.
+/// Of this process; before set_coupled_world() it holds no other program.
 const bridge::MpiWorld& coupled_world();
 void set_coupled_world(const bridge::MpiWorld& world);
 
-/// A fix has met the other program.
-bool has_met_other_program();
-void note_other_program_met();
+/// The coupled run of this mpirun is over in order, for both programs: there can be no second one.
+bool has_parted();
+void note_parted();
 
 /// Tells the other program, if this one is still coupled to it, why this one ends. On any rank.
 void say_last_words(const std::string& why);

@@ -13,6 +13,7 @@
 #include "modify.h"
 #include "update.h"
 
+#include "host/coupled_world.h"
 #include "host/fluid_relaxation.h"
 #include "host/stop_all.h"
 #include "models/invalid_input.h"
@@ -51,6 +52,7 @@ FixCoupleBridge::~FixCoupleBridge() {
   if (!link_) return;
   try {
     link_->finish();
+    note_parted();
   } catch (const bridge::BridgeError& problem) {
     stop(problem.what());
   }

@@ -63,6 +63,14 @@ void FixCoupleBridge::check_host() const {
 }
 
 void FixCoupleBridge::open_link() {
+  if (!options_.socket && has_parted()) {
+    stop(
+        "coupled run; given: a second one in this mpirun, as the first ended with its fix "
+        "couple/bridge (unfix, clear) or by the solver; allowed: one coupled run in an mpirun, of "
+        "any number of run commands; to do: keep the fix between runs; for a loop of coupled runs "
+        "start each pass by an mpirun of its own, or couple by transport socket with a solver for "
+        "each pass");
+  }
   if (options_.socket && bridge::holds_other_program(coupled_world())) {
     stop("transport; given: socket, in one mpirun with " + coupled_world().peer_role +
          "; allowed: mpi in one mpirun, socket for two jobs; to do: set transport mpi in both "
@@ -96,7 +104,6 @@ void FixCoupleBridge::open_link() {
   } catch (const bridge::BridgeError& problem) {
     stop(problem.what());
   }
-  note_other_program_met();
   goes_on_ = hello.clock.continues;
   checkpoint_.ahead_s = hello.clock.time_s - link_->peer().clock.time_s;
   for (const bridge::FieldSpec& field : link_->plan().to_dem) {
@@ -314,6 +321,7 @@ void FixCoupleBridge::settle() {
 
 void FixCoupleBridge::end_by_solver(bigint step) {
   over_ = true;
+  note_parted();
   say("the solver ended the coupled run at step " + std::to_string(step) + ", time " +
       number_text(static_cast<double>(step) * dt_s_) +
       " s; this program stops after one more step");

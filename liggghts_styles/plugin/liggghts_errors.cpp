@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// LIGGGHTS calls its Error class through the dynamic linker. These definitions, in the program itself,
-/// come first: they keep the text and hand over.
-#include "plugin/liggghts_errors.h"
-
+/// LIGGGHTS calls its Error class through the dynamic linker. These definitions come before LIGGGHTS's own:
+/// they keep the text for whoever has to know why this program ends, and hand over.
 #include <dlfcn.h>
 #include <cstdio>
 
@@ -12,18 +10,16 @@
 #include "error.h"
 #include "fix.h"
 
+#include "host/last_error.h"
+
 namespace powderlink::plugin {
 
 namespace {
 
-std::string& kept() {
-  static std::string text;
-  return text;
-}
-
 void keep(const char* who, const char* text, const char* file, int line) {
-  kept() = std::string(who == nullptr ? "" : who) + (who == nullptr ? "" : ": ") + text + " (" +
-           file + ":" + std::to_string(line) + ")";
+  host::keep_error(std::string("LIGGGHTS: ") + (who == nullptr ? "" : who) +
+                   (who == nullptr ? "" : ": ") + text + " (" + file + ":" + std::to_string(line) +
+                   ")");
 }
 
 /// LIGGGHTS's own function; the error is printed here where its name is not known.
@@ -31,7 +27,7 @@ template <class Function>
 Function next(const char* symbol) {
   void* const found = dlsym(RTLD_NEXT, symbol);
   if (found == nullptr) {
-    std::fprintf(stderr, "ERROR: %s\n", kept().c_str());
+    std::fprintf(stderr, "ERROR: %s\n", host::kept_error().c_str());
     MPI_Abort(MPI_COMM_WORLD, 1);
   }
   return reinterpret_cast<Function>(found);
@@ -39,15 +35,25 @@ Function next(const char* symbol) {
 
 }  // namespace
 
-std::string last_liggghts_error() {
-  return "LIGGGHTS: " + (kept().empty() ? std::string("ended early; see its log") : kept());
-}
-
 }  // namespace powderlink::plugin
 
 namespace LAMMPS_NS {
 
 namespace plugin = powderlink::plugin;
+
+void Error::universe_all(const char* file, int line, const char* text) {
+  using Function = void (*)(Error*, const char*, int, const char*);
+  plugin::keep(nullptr, text, file, line);
+  static const auto next = plugin::next<Function>("_ZN9LAMMPS_NS5Error12universe_allEPKciS2_");
+  next(this, file, line, text);
+}
+
+void Error::universe_one(const char* file, int line, const char* text) {
+  using Function = void (*)(Error*, const char*, int, const char*);
+  plugin::keep(nullptr, text, file, line);
+  static const auto next = plugin::next<Function>("_ZN9LAMMPS_NS5Error12universe_oneEPKciS2_");
+  next(this, file, line, text);
+}
 
 void Error::all(const char* file, int line, const char* text) {
   using Function = void (*)(Error*, const char*, int, const char*);

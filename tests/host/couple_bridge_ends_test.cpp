@@ -37,6 +37,55 @@ TEST(CoupleBridgeEnds, TheSolverStopsInOrder) {
   }
 }
 
+/// `quit`, alone on its line or within an `if`, ends as the end of the script does.
+TEST(CoupleBridgeEnds, QuitIsAnOrderlyEnd) {
+  constexpr const char* kQuit = "quit\n";
+  constexpr const char* kIf = "if \"1 > 0\" then \"quit 0\"\nrun 1000\n";
+  for (const char* quit : {kQuit, kIf}) {
+    const bool socket = quit == kQuit;
+    for (const auto program : {LiggghtsCase::Program::launcher, LiggghtsCase::Program::preload}) {
+      const LiggghtsCase c(socket ? "couple_quit_socket" : "couple_quit");
+      std::string script = good_script(c, std::string("run 100\n") + quit);
+      if (socket)
+        script.replace(script.find("every 10"), 8, "every 10 transport socket rendezvous meet");
+      const int ranks = program == LiggghtsCase::Program::launcher ? 2 : 1;
+      LiggghtsCase::Coupled how{kWind, ranks, ranks, socket};
+      how.program = program;
+      const Outcome o = c.couple(script, how);
+      EXPECT_EQ(o.status, 0) << o.output;
+      EXPECT_NE(o.output.find("fake solver: orderly end"), std::string::npos) << o.output;
+      EXPECT_EQ(o.output.find("ERROR"), std::string::npos) << o.output;
+      EXPECT_EQ(read_dump(c.folder() / "all.dump").count(100), 1u) << "the dump is cut";
+    }
+  }
+}
+
+/// A status is the script's word to whoever started the job; the gas ends in order.
+TEST(CoupleBridgeEnds, QuitWithAStatusEndsWithIt) {
+  for (const bool socket : {false, true}) {
+    const LiggghtsCase c(socket ? "couple_quit_3_socket" : "couple_quit_3");
+    std::string script = good_script(c, "run 100\nquit 3\n");
+    if (socket)
+      script.replace(script.find("every 10"), 8, "every 10 transport socket rendezvous meet");
+    const Outcome o = c.couple(script, {kWind, 2, 1, socket});
+    EXPECT_EQ(o.status, 3) << o.output;
+    EXPECT_NE(o.output.find("fake solver: orderly end"), std::string::npos) << o.output;
+  }
+}
+
+TEST(CoupleBridgeEnds, QuitOfAnUncoupledScript) {
+  for (const auto program : {LiggghtsCase::Program::launcher, LiggghtsCase::Program::preload}) {
+    const LiggghtsCase c("quit_alone");
+    EXPECT_EQ(c.run("units si\nquit\n", 1, program).status, 0);
+    EXPECT_EQ(c.run("units si\nquit 3\n", 2, program).status, 3);
+    const Outcome o = c.run("units si\nquit soon\n", 1, program);
+    EXPECT_EQ(o.status, 1) << o.output;
+    EXPECT_NE(o.output.find("command quit; given: quit soon; allowed: quit [STATUS]"),
+              std::string::npos)
+        << o.output;
+  }
+}
+
 TEST(CoupleBridgeEnds, AFullDiskIsNoticedAndEarlierCheckpointsStay) {
   const LiggghtsCase c("couple_full_disk");
   std::vector<Sphere> spheres;
@@ -103,6 +152,7 @@ const BadCase kBadCases[] = {
     // An error of one rank: LIGGGHTS aborts at once, its message must not stay in a buffer.
     {"no_data", "read_data spheres", "read_data sphere", "", "Cannot open file sphere.data"},
     {"no_run", "run 100", "", "", "a script that ends without coupling"},
+    {"quit_before", "run 100", "quit", "", "a script that ends without coupling"},
     {"socket", "every 10", "every 10 transport socket", "",
      "transport; given: socket, in one mpirun with solver"},
     {"folder", "every 10", "every 10 checkpoint in.script/r.", "checkpoint=1",

@@ -102,6 +102,22 @@ void LiggghtsCase::write_plate(const std::string& file, double half, int n) cons
   out << "endsolid plate\n";
 }
 
+namespace {
+
+/// How to start LIGGGHTS, to be followed by its options.
+std::string program_line(LiggghtsCase::Program program) {
+  switch (program) {
+    case LiggghtsCase::Program::launcher:
+      return "'" POWDERLINK_LAUNCHER "'";
+    case LiggghtsCase::Program::preload:
+      return "env LD_PRELOAD='" POWDERLINK_STYLES "' '" LIGGGHTS_PROGRAM "'";
+    default:
+      return "'" LIGGGHTS_PROGRAM "'";
+  }
+}
+
+}  // namespace
+
 Outcome LiggghtsCase::execute(const std::string& command) const {
   // Open MPI refuses root without being told; containers run as root.
   const std::string line =
@@ -118,16 +134,15 @@ Outcome LiggghtsCase::execute(const std::string& command) const {
 
 Outcome LiggghtsCase::help() const { return execute("'" POWDERLINK_LAUNCHER "' -h"); }
 
-Outcome LiggghtsCase::run(const std::string& script, int ranks, Program program) const {
+Outcome LiggghtsCase::run(const std::string& script, int ranks, Program program,
+                          const std::string& options) const {
   write("in.script", script);
   std::string command;
   if (ranks > 1) {
     command =
         "mpirun --oversubscribe --mca mpi_yield_when_idle 1 -np " + std::to_string(ranks) + " ";
   }
-  if (program == Program::preload) command += "env LD_PRELOAD='" POWDERLINK_STYLES "' ";
-  command += program == Program::launcher ? "'" POWDERLINK_LAUNCHER "'" : "'" LIGGGHTS_PROGRAM "'";
-  Outcome outcome = execute(command + " -in in.script");
+  Outcome outcome = execute(command + program_line(program) + " -in in.script " + options);
   if (fs::exists(folder_ / "last.dump")) outcome.last = read_last_dump(folder_ / "last.dump");
   return outcome;
 }
@@ -138,16 +153,19 @@ Outcome LiggghtsCase::couple(const std::string& script, const Coupled& how) cons
   const auto program = [](int ranks, const std::string& line) {
     return " -np " + std::to_string(ranks) + " " + line;
   };
+  const std::string line = program_line(how.program) + " -in in.script " + how.options;
   const std::string dem = program(
-      how.dem_ranks, how.before.empty() ? "'" POWDERLINK_LAUNCHER "' -in in.script"
-                                        : "sh -c \"" + how.before +
-                                              "; exec '" POWDERLINK_LAUNCHER "' -in in.script\"");
+      how.dem_ranks, how.before.empty() ? line : "sh -c \"" + how.before + "; exec " + line + "\"");
   std::string solver =
       program(how.solver_ranks, "'" POWDERLINK_FAKE_SOLVER "' case=" + folder_.filename().string() +
                                     " " + how.solver);
   if (!how.socket) return execute(mpirun + dem + " :" + solver);
   solver += " socket=meet";
-  write("couple.sh", mpirun + solver + " > solver.txt 2>&1 &\nsolver=$!\n" + mpirun + dem +
+  std::string solvers = mpirun + solver + " > solver.txt 2>&1";
+  for (int run = 1; run < how.solver_runs; ++run) {
+    solvers += " && " + mpirun + solver + " >> solver.txt 2>&1";
+  }
+  write("couple.sh", "{ " + solvers + "; } &\nsolver=$!\n" + mpirun + dem +
                          "\nstatus=$?\nwait $solver || test $status -ne 0 || status=99\n"
                          "cat solver.txt\nexit $status\n");
   return execute("sh couple.sh");

@@ -40,13 +40,17 @@ class LiggghtsCase {
 
   enum class Program { launcher, preload, stock };
   /// Writes the script, runs it on the given number of ranks, reads `last.dump` if there is one.
-  Outcome run(const std::string& script, int ranks = 1, Program program = Program::launcher) const;
+  Outcome run(const std::string& script, int ranks = 1, Program program = Program::launcher,
+              const std::string& options = "") const;
   struct Coupled {
     std::string solver = {};  ///< arguments of fake_solver beside case= and socket=
     int dem_ranks = 1;
     int solver_ranks = 1;
     bool socket = false;      ///< two jobs instead of one
     std::string before = {};  ///< a shell command that changes limits of the LIGGGHTS side
+    Program program = Program::launcher;
+    std::string options = {};  ///< further ones of LIGGGHTS
+    int solver_runs = 1;       ///< with `socket`: one solver after the other
   };
   /// Writes the script and runs it with the fake solver. With `socket` the status is that of LIGGGHTS,
   /// or 99 when only the solver failed.

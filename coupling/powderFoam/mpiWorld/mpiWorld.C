@@ -6,9 +6,11 @@
 #include "Pstream.H"
 
 #include "coupling/bridge/coupling_link.h"
+#include "coupling/bridge/own_world.h"
 
 #include <mpi.h>
 
+#include <cfenv>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
@@ -27,6 +29,29 @@ namespace
     bool isSplit = false;
     bool startedHere = false;
 
+    // OpenFOAM may have switched trapping of floating-point exceptions on
+    // already. What starts MPI are libraries of others, some of which divide by
+    // zero in order (hwloc, as it reads a topology from a file)
+    class untrapped
+    {
+        std::fenv_t before_;
+
+    public:
+
+        untrapped()
+        {
+            std::feholdexcept(&before_);
+        }
+
+        ~untrapped()
+        {
+            std::fesetenv(&before_);
+        }
+
+        untrapped(const untrapped&) = delete;
+        void operator=(const untrapped&) = delete;
+    };
+
     // OpenFOAM leaves a serial run by exit(), which alone would end this
     // program without a word to the other one
     void abortUnlessFinalised()
@@ -44,6 +69,7 @@ namespace
         try
         {
             thisWorld = bridge::split_world_if_shared("solver", startTimeout_s);
+            bridge::take_as_world(thisWorld.local);
             isSplit = true;
         }
         catch (const std::exception& e)
@@ -62,11 +88,6 @@ namespace
             Foam::Pstream::parRun()
          || !(nProcesses.empty() || nProcesses == "1");
     }
-
-    inline MPI_Comm own(MPI_Comm comm)
-    {
-        return isSplit && comm == MPI_COMM_WORLD ? thisWorld.local : comm;
-    }
 }
 
 
@@ -76,6 +97,7 @@ const bridge::MpiWorld& Foam::mpiWorld::world()
 {
     if (!isSplit)
     {
+        const untrapped start;
         int isInitialised = 0;
         PMPI_Initialized(&isInitialised);
         if (!isInitialised)
@@ -131,19 +153,21 @@ void Foam::mpiWorld::finalise()
 {
     if (startedHere)
     {
+        const untrapped end;
         PMPI_Finalize();
         startedHere = false;
     }
 }
 
 
-// * * * * * * * * * What Pstream calls instead of the library's * * * * * * //
+// * * * * * * Beside own_world.def, instead of the MPI library's * * * * * * //
 
 extern "C"
 {
 
 int MPI_Init_thread(int* argc, char*** argv, int required, int* provided)
 {
+    const untrapped start;
     const int error = PMPI_Init_thread(argc, argv, required, provided);
     split();
     return error;
@@ -158,179 +182,6 @@ int MPI_Abort(MPI_Comm, int code)
     std::fflush(nullptr);
     bridge::say_last_words("powderFoam ended by an error; see its log");
     std::_Exit(code == 0 ? 1 : code);
-}
-
-int MPI_Comm_rank(MPI_Comm comm, int* rank)
-{
-    return PMPI_Comm_rank(own(comm), rank);
-}
-
-int MPI_Comm_size(MPI_Comm comm, int* size)
-{
-    return PMPI_Comm_size(own(comm), size);
-}
-
-int MPI_Comm_group(MPI_Comm comm, MPI_Group* group)
-{
-    return PMPI_Comm_group(own(comm), group);
-}
-
-int MPI_Comm_create(MPI_Comm comm, MPI_Group group, MPI_Comm* created)
-{
-    return PMPI_Comm_create(own(comm), group, created);
-}
-
-int MPI_Allreduce
-(
-    const void* send,
-    void* receive,
-    int count,
-    MPI_Datatype type,
-    MPI_Op operation,
-    MPI_Comm comm
-)
-{
-    return PMPI_Allreduce(send, receive, count, type, operation, own(comm));
-}
-
-int MPI_Alltoall
-(
-    const void* send,
-    int nSend,
-    MPI_Datatype sendType,
-    void* receive,
-    int nReceive,
-    MPI_Datatype receiveType,
-    MPI_Comm comm
-)
-{
-    return PMPI_Alltoall
-    (
-        send, nSend, sendType, receive, nReceive, receiveType, own(comm)
-    );
-}
-
-int MPI_Alltoallv
-(
-    const void* send,
-    const int* nSend,
-    const int* sendStarts,
-    MPI_Datatype sendType,
-    void* receive,
-    const int* nReceive,
-    const int* receiveStarts,
-    MPI_Datatype receiveType,
-    MPI_Comm comm
-)
-{
-    return PMPI_Alltoallv
-    (
-        send, nSend, sendStarts, sendType,
-        receive, nReceive, receiveStarts, receiveType, own(comm)
-    );
-}
-
-int MPI_Gatherv
-(
-    const void* send,
-    int nSend,
-    MPI_Datatype sendType,
-    void* receive,
-    const int* nReceive,
-    const int* starts,
-    MPI_Datatype receiveType,
-    int root,
-    MPI_Comm comm
-)
-{
-    return PMPI_Gatherv
-    (
-        send, nSend, sendType,
-        receive, nReceive, starts, receiveType, root, own(comm)
-    );
-}
-
-int MPI_Scatterv
-(
-    const void* send,
-    const int* nSend,
-    const int* starts,
-    MPI_Datatype sendType,
-    void* receive,
-    int nReceive,
-    MPI_Datatype receiveType,
-    int root,
-    MPI_Comm comm
-)
-{
-    return PMPI_Scatterv
-    (
-        send, nSend, starts, sendType,
-        receive, nReceive, receiveType, root, own(comm)
-    );
-}
-
-int MPI_Send
-(
-    const void* data, int count, MPI_Datatype type, int to, int tag, MPI_Comm comm
-)
-{
-    return PMPI_Send(data, count, type, to, tag, own(comm));
-}
-
-int MPI_Bsend
-(
-    const void* data, int count, MPI_Datatype type, int to, int tag, MPI_Comm comm
-)
-{
-    return PMPI_Bsend(data, count, type, to, tag, own(comm));
-}
-
-int MPI_Isend
-(
-    const void* data,
-    int count,
-    MPI_Datatype type,
-    int to,
-    int tag,
-    MPI_Comm comm,
-    MPI_Request* request
-)
-{
-    return PMPI_Isend(data, count, type, to, tag, own(comm), request);
-}
-
-int MPI_Recv
-(
-    void* data,
-    int count,
-    MPI_Datatype type,
-    int from,
-    int tag,
-    MPI_Comm comm,
-    MPI_Status* status
-)
-{
-    return PMPI_Recv(data, count, type, from, tag, own(comm), status);
-}
-
-int MPI_Irecv
-(
-    void* data,
-    int count,
-    MPI_Datatype type,
-    int from,
-    int tag,
-    MPI_Comm comm,
-    MPI_Request* request
-)
-{
-    return PMPI_Irecv(data, count, type, from, tag, own(comm), request);
-}
-
-int MPI_Probe(int from, int tag, MPI_Comm comm, MPI_Status* status)
-{
-    return PMPI_Probe(from, tag, own(comm), status);
 }
 
 } // extern "C"
