@@ -106,6 +106,35 @@ TEST(JkrContact, GammaZeroIsStockHertz) {
   }
 }
 
+TEST(JkrContact, AWallTakesTangentialDampingAtTheEndOfItsLineAsStockHertzDoes) {
+  constexpr double tolerance = 1e-9;
+  for (const bool mesh : {false, true}) {
+    std::vector<Sphere> ends[3];  // stock without, jkr without, jkr with the damping
+    for (const int kind : {0, 1, 2}) {
+      Setting s;
+      s.model = kind == 0 ? "hertz" : "jkr";
+      s.model_options = " tangential history";
+      s.work_of_adhesion = 0.0;
+      s.restitution = 0.5;
+      Sphere grain = above_plate(1e-7, 1.0);
+      grain.x[0] = 1e-5;  // beside the edges
+      grain.v[0] = 0.2;
+      const LiggghtsCase c("wall_damping");
+      c.write_spheres("spheres.data", {grain}, kHalf);
+      c.write_plate("plate.stl", kHalf, 1);
+      std::string plate = mesh ? mesh_plate(s) : primitive_plate(s);
+      if (kind < 2) plate.insert(plate.size() - 1, " tangential_damping off");
+      const Outcome o =
+          c.run(header(s, "spheres.data") + plate + run_lines(std::lround(4e-7 / s.time_step)));
+      ASSERT_EQ(o.status, 0) << o.output;
+      ends[kind] = o.last;
+      ASSERT_EQ(ends[kind].size(), 1u);
+    }
+    for (int k = 0; k < 3; ++k) EXPECT_NEAR(ends[0][0].v[k], ends[1][0].v[k], tolerance) << mesh;
+    EXPECT_GT(std::fabs(ends[2][0].v[0] - ends[1][0].v[0]), 1e3 * tolerance) << mesh;
+  }
+}
+
 TEST(JkrContact, FrictionHoldsAGrainThatOnlyAdhesionPresses) {
   // Pulled sideways by a = 0.9 and 1.1 of mu (F + 2 F_po)/m at F = 0, the unloaded equilibrium.
   const JkrLaw law(effective_youngs_modulus_Pa(steel, upvc), 0.5);

@@ -32,6 +32,33 @@ TEST(Plugin, StockProgramAloneDoesNotKnowJkr) {
   EXPECT_NE(bounce("by_stock", LiggghtsCase::Program::stock).status, 0);
 }
 
+/// One rank that finds an error ends by MPI_Abort; what it said stood in a buffer.
+TEST(Plugin, AnErrorOfThePreloadedProgramIsInItsRedirectedOutput) {
+  for (const int ranks : {1, 2}) {
+    const LiggghtsCase c("preload_error");
+    const Outcome o = c.run("units si\natom_style granular\nread_data missing.data\n", ranks,
+                            LiggghtsCase::Program::preload);
+    EXPECT_EQ(o.status, 1) << o.output;
+    EXPECT_NE(o.output.find("ERROR on proc 0: Cannot open file missing.data"), std::string::npos)
+        << o.output;
+  }
+}
+
+/// No function of ours is asked when a process is killed.
+TEST(Plugin, WhatWasSaidBeforeAKillIsInTheRedirectedOutput) {
+  for (const auto program : {LiggghtsCase::Program::launcher, LiggghtsCase::Program::preload}) {
+    const LiggghtsCase c("preload_killed");
+    c.write("kill.sh",
+            "for p in $PPID $(cut -d' ' -f4 /proc/$PPID/stat); do\n"
+            "  case $(cat /proc/$p/comm) in liggghts*) kill -9 $p; sleep 1 ;; esac\ndone\n");
+    const Outcome o = c.run(
+        "units si\nprint \"before the end\"\nshell sh kill.sh\nprint \"after it\"\n", 1, program);
+    EXPECT_NE(o.status, 0);
+    EXPECT_NE(o.output.find("before the end"), std::string::npos) << o.output;
+    EXPECT_EQ(o.output.find("after it"), std::string::npos) << o.output;
+  }
+}
+
 TEST(Plugin, HelpListsOurStyles) {
   const LiggghtsCase c("help");
   const Outcome o = c.help();
