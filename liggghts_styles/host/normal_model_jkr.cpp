@@ -2,6 +2,9 @@
 #include "host/normal_model_jkr.h"
 
 #include <algorithm>
+#include <cstring>
+
+#include "compute_pair_gran_local.h"
 
 #include "host/fix_adhesion_effect.h"
 #include "host/private_access.h"
@@ -130,6 +133,38 @@ void JkrNormalModel::connectToProperties(PropertyRegistry& registry) {
     }
   }
   check_wall(largest_stretch());
+  const bool adhesive = std::any_of(pairs_.begin(), pairs_.end(),
+                                    [](const JkrPair& pair) { return pair.law.adhesive(); });
+  if (adhesive && !is_wall_ && !warned_) warn_of_overlaps();
+}
+
+/// Parts of LIGGGHTS that take a contact for an overlap, without a word about the others.
+void JkrNormalModel::warn_of_overlaps() {
+  warned_ = true;
+  if (comm->me != 0) return;
+  const auto warn = [this](const std::string& who, const std::string& what) {
+    error->warning(FLERR, ("model jkr: " + who + " " + what).c_str());
+  };
+  for (int i = 0; i < modify->ncompute; ++i) {
+    Compute* compute = modify->compute[i];
+    const std::string who = std::string("compute ") + compute->id;
+    if (std::strcmp(compute->style, "contact/atom") == 0) {
+      warn(who,
+           "contact/atom does not count grains that a neck holds across a gap; compute "
+           "contact/atom/gran does");
+    }
+    auto* local = dynamic_cast<ComputePairGranLocal*>(compute);
+    if (local != nullptr && local->offset_area() >= 0) {
+      warn(who,
+           "contactArea is that of spheres that intersect, negative in a neck; the contact's area "
+           "is pi h^4, h from keyword history (jkr_root_contact_radius)");
+    }
+  }
+  for (int i = 0; i < modify->nfix; ++i) {
+    if (std::strncmp(modify->fix[i]->style, "heat/gran", 9) != 0) continue;
+    warn(std::string("fix ") + modify->fix[i]->id,
+         "heat/gran conducts through overlaps only, not through a neck across a gap");
+  }
 }
 
 /// Longest neck [m]; also asks LIGGGHTS to look for contacts out to there.

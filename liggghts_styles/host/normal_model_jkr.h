@@ -123,6 +123,7 @@ class JkrNormalModel : protected LAMMPS_NS::Pointers {
                              double& memory, bool advances) const;
   void check_host() const;
   void check_wall(double largest_gap) const;
+  void warn_of_overlaps();
   double largest_stretch() const;
   double property(PropertyRegistry& registry, const char* name, int i, int j) const;
 
@@ -139,6 +140,7 @@ class JkrNormalModel : protected LAMMPS_NS::Pointers {
   bool is_wall_;
   bool tangential_damping_ = true;
   bool limit_force_ = false;
+  bool warned_ = false;
   IContactHistorySetup* parent_;
   LAMMPS_NS::PairGran* pair_ = nullptr;  ///< the parent, if it is not a wall
   mutable double friction_load_ = 0.0;

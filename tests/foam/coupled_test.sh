@@ -7,7 +7,7 @@ export WM_PROJECT_DIR=${WM_PROJECT_DIR:-/usr/share/openfoam}
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
 rm -rf "$work"
 mkdir -p "$work"
-status=0
+status=0 under_srun=()
 failed() { echo "FAILED: $*" >&2; status=1; }
 limit_s=60
 
@@ -51,7 +51,7 @@ control() { sed -i -E "s/^($1 +)[^;]*;/\1$2;/" system/controlDict; }
 mpi() {  # one mpirun; ranks of the DEM, ranks of powderFoam, words for the DEM
   local dem=$1 foam=$2 parallel=
   shift 2
-  local solver=("$bin/powderFoam")
+  local solver=("${under_srun[@]}" "$bin/powderFoam")
   # Longer files fail as on a full disk; in blocks of 512 bytes.
   [[ -z ${limit_blocks:-} ]] || solver=(sh -c "trap '' XFSZ; ulimit -f $limit_blocks; exec \"\$@\"" sh "${solver[@]}")
   [[ $foam == 1 ]] || { parallel=-parallel; decomposePar -force >log.decomposePar 2>&1; }
@@ -372,6 +372,13 @@ FIELDS
     mkfifo dem.start system/caseSettings
     { printf '0 1\n3 3e-5 1e-3 1e-3 1e-3 0 0 0 0 0 0\n' >dem.start && cat settings >system/caseSettings; } &
     feeder=$!
+    run state=dem.start exchanges=2
+    kill $feeder 2>/dev/null || true
+    # srun --mpi=pmix tells the number of its processes in another variable than mpirun.
+    rm -rf 0.0* dem.state*
+    { printf '0 1\n3 3e-5 1e-3 1e-3 1e-3 0 0 0 0 0 0\n' >dem.start && cat settings >system/caseSettings; } &
+    feeder=$!
+    under_srun=(env -u OMPI_COMM_WORLD_SIZE SLURM_STEP_NUM_TASKS=2)
     run state=dem.start exchanges=2
     kill $feeder 2>/dev/null || true
     ;;

@@ -2,6 +2,7 @@
 // Model jkr in LIGGGHTS away from the KAT: touch and go, the Hertz limit, friction and rolling of a
 // glued grain.
 #include <cmath>
+#include <fstream>
 
 #include <gtest/gtest.h>
 
@@ -104,6 +105,62 @@ TEST(JkrContact, GammaZeroIsStockHertz) {
       EXPECT_NEAR(ends[0][i].omega[k], ends[1][i].omega[k], tolerance * 1e5);
     }
   }
+}
+
+/// Two soft grains that swing about their equilibrium, across overlap and gap.
+TEST(JkrContact, ComputesOfContactsKnowNecksOrAWarningSaysSo) {
+  Setting s;
+  s.youngs_modulus[0] = 1e8;
+  s.work_of_adhesion_same = 1e-2;
+  s.time_step = 2e-8;
+  Sphere first = above_plate(1e-4, 0.0), second = first;
+  second.x[0] = 2.0 * kRadius - 2e-8;
+  second.v[0] = 8e-3;
+  const LiggghtsCase c("computes_of_necks");
+  c.write_spheres("spheres.data", {first, second}, kHalf);
+  const Outcome o =
+      c.run(header(s, "spheres.data") +
+            "fix integrate all nve/sphere\ncompute overlaps all contact/atom\n"
+            "compute contacts all contact/atom/gran\n"
+            "compute pairs all pair/gran/local history contactArea delta\n"
+            "fix k all property/global thermalConductivity peratomtype 10 10\n"
+            "fix heat_capacity all property/global thermalCapacity peratomtype 500 500\n"
+            "fix heat all heat/gran initial_temperature 300\n"
+            "dump a all custom 1 atoms.dump id c_overlaps c_contacts\n"
+            "dump p all local 1 pairs.dump c_pairs[1] c_pairs[2] c_pairs[3]\n"
+            "dump_modify p format \"%.17g %.17g %.17g\"\nrun 300\nrun 300\n");
+  ASSERT_EQ(o.status, 0) << o.output;
+  for (const char* warning :
+       {"fix heat heat/gran conducts", "compute overlaps contact/atom does not count",
+        "compute pairs contactArea is"}) {
+    const auto at = o.output.find(warning);
+    EXPECT_NE(at, std::string::npos) << warning;
+    EXPECT_EQ(o.output.find(warning, at + 1), std::string::npos) << "said again";
+  }
+  std::ifstream atoms(c.folder() / "atoms.dump"), pairs(c.folder() / "pairs.dump");
+  const JkrLaw law(0.5 * 1e8 / (1.0 - 0.3 * 0.3), s.work_of_adhesion_same);
+  int gaps = 0;
+  for (std::string line; std::getline(pairs, line);) {
+    if (line.rfind("ITEM: ENTRIES", 0) != 0) continue;
+    double root = 0.0, area = 0.0, overlap = 0.0;
+    pairs >> root >> area >> overlap;
+    ASSERT_TRUE(pairs) << "a neck has no row";
+    while (std::getline(atoms, line) && line.rfind("ITEM: ATOMS", 0) != 0) {
+    }
+    int id = 0, overlaps = 0, contacts = 0;
+    atoms >> id >> overlaps >> contacts;
+    EXPECT_EQ(contacts, 1);
+    EXPECT_EQ(overlaps, overlap > 0.0 ? 1 : 0);
+    if (overlap > 0.0) continue;
+    ++gaps;
+    EXPECT_LE(area, 0.0);
+    const double a = root * root, radius = 0.5 * kRadius;
+    // JKR's own relation of overlap and contact radius; the history is of the step before.
+    const double of_radius = a * a / radius - std::sqrt(2.0 * M_PI * s.work_of_adhesion_same * a /
+                                                        law.effective_modulus_Pa());
+    EXPECT_NEAR(of_radius, overlap, 0.02 * a * a / radius);
+  }
+  EXPECT_GT(gaps, 20);
 }
 
 TEST(JkrContact, AWallTakesTangentialDampingAtTheEndOfItsLineAsStockHertzDoes) {

@@ -79,11 +79,15 @@ namespace
         }
     }
 
-    // A run without -parallel starts MPI only if mpirun has started more than
-    // itself
+    // A run without -parallel starts MPI only if mpirun, or srun --mpi=pmix, has
+    // started more than itself
     bool mayShare()
     {
-        const Foam::string nProcesses(Foam::getEnv("OMPI_COMM_WORLD_SIZE"));
+        Foam::string nProcesses(Foam::getEnv("OMPI_COMM_WORLD_SIZE"));
+        if (nProcesses.empty() && !Foam::getEnv("PMIX_RANK").empty())
+        {
+            nProcesses = Foam::getEnv("SLURM_STEP_NUM_TASKS");
+        }
         return
             Foam::Pstream::parRun()
          || !(nProcesses.empty() || nProcesses == "1");
