@@ -17,6 +17,8 @@ inline const FieldSpec spin{"spin", "rad/s", vector3};
 /// its place of the last exchange; the values that come back for it mean nothing.
 inline const FieldSpec radius{"radius", "m", scalar};
 inline const FieldSpec density{"density", "kg/m3", scalar};
+/// 1: no force changes the velocity of the particle (frozen, moved by prescription); else 0.
+inline const FieldSpec held{"held", "1", scalar};
 /// Impulse of the reacting forces on the particle since the last exchange, less what its added mass
 /// has gained, by whatever force.
 inline const FieldSpec reaction_impulse{"reaction_impulse", "N s", vector3};

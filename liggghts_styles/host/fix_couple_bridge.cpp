@@ -4,13 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <filesystem>
 
 #include <mpi.h>
 
 #include "atom.h"
-#include "modify.h"
 #include "update.h"
 
 #include "host/coupled_world.h"
@@ -30,7 +28,7 @@ constexpr double kInertia = 0.4;
 }  // namespace
 
 FixCoupleBridge::FixCoupleBridge(LAMMPS* lmp, int narg, char** arg)
-    : Fix(lmp, narg, arg), properties_(lmp) {
+    : Fix(lmp, narg, arg), properties_(lmp), freedom_(lmp) {
   try {
     const std::filesystem::path folder = std::filesystem::current_path();
     options_ = CoupleBridgeOptions::parse(narg, arg, folder.filename().string());
@@ -75,7 +73,6 @@ void FixCoupleBridge::stop(const std::string& message) const {
 
 void FixCoupleBridge::init() {
   check_host();
-  find_held_atoms();
   if (!link_) {
     open_link();
   } else if (std::fabs(update->dt - dt_s_) > 1e-12 * dt_s_) {
@@ -85,7 +82,16 @@ void FixCoupleBridge::init() {
   }
 }
 
-void FixCoupleBridge::setup(int /*vflag*/) { forces_of_setup_ = true; }
+/// Also of a run that does without init(): fixes may have come and gone.
+void FixCoupleBridge::setup(int /*vflag*/) {
+  forces_of_setup_ = true;
+  try {
+    freedom_.read_fixes(groupbit);
+  } catch (const InvalidInput& problem) {
+    stop(problem.what());
+  }
+  speaks_of_forgotten_ = true;
+}
 
 void FixCoupleBridge::pre_initial_integrate() {
   // LIGGGHTS counts the step before it does it: positions and velocities are those of this one.
@@ -151,8 +157,8 @@ void FixCoupleBridge::relax() {
 }
 
 inline void FixCoupleBridge::move(int i, StepArrays& all) {
-  if (atom->mask[i] & held_) {
-    hold(i, all);
+  if (!freedom_.is_whole(atom->mask[i])) {
+    move_within(freedom_.of(i), i, all);
     return;
   }
   const double* step = all.step[i];
@@ -222,22 +228,36 @@ void FixCoupleBridge::copy_arrays(int /*from*/, int to, int removed) {
   leaving_.note(particle);
 }
 
-/// A frozen atom keeps its velocity; what holds it takes the force, the fluid feels it all the same.
-void FixCoupleBridge::hold(int i, StepArrays& all) {
+/// What holds the rest of its motion takes the gas's force there; the fluid feels that all the same, with
+/// the velocity that the particle keeps.
+void FixCoupleBridge::move_within(const Freedom& freedom, int i, StepArrays& all) {
+  const double* step = all.step[i];
+  const double* pressure = all.pressure[i];
+  double* v = all.v[i];
   const double drag = properties_.drag_coefficient()[i];
+  double gain[3], held[3];  // if it were free; impulse of the reacting forces if it were held
   for (int c = 0; c < 3; ++c) {
-    const double impulse = dt_s_ * (drag * (properties_.fluid_velocity()[i][c] - all.v[i][c]) +
-                                    properties_.reacting_force()[i][c]);
+    gain[c] = (step[FluidProperties::kA] - 1.0) * v[c] + step[FluidProperties::kD + c];
+    held[c] = dt_s_ * (drag * (properties_.fluid_velocity()[i][c] - v[c]) +
+                       properties_.reacting_force()[i][c]);
+  }
+  for (int c = 0; c < 3; ++c) {
+    double change = 0.0, impulse = held[c];
+    for (int k = 0; k < 3; ++k) {
+      const double share = freedom.velocity[c][k];
+      change += share * gain[k];
+      impulse += share * (all.rmass[i] * gain[k] - dt_s_ * pressure[k] - held[k]);
+    }
+    if (has_added_mass_) all.place[i][FluidProperties::kVelocity + c] += change;
+    v[c] += change;
     all.reaction[i][c] += impulse;
     all.impulse[c] += impulse;
   }
-}
-
-/// Groups of all fixes of style freeze.
-void FixCoupleBridge::find_held_atoms() {
-  held_ = 0;
-  for (int i = 0; i < modify->nfix; ++i) {
-    if (std::strncmp(modify->fix[i]->style, "freeze", 6) == 0) held_ |= modify->fix[i]->groupbit;
+  if (!spins_) return;
+  double* spin = all.omega[i];
+  for (int c = 0; c < 3; ++c) {
+    spin[c] += freedom.spin[c] * ((step[FluidProperties::kSpinA] - 1.0) * spin[c] +
+                                  step[FluidProperties::kSpinD + c]);
   }
 }
 

@@ -7,7 +7,8 @@
 /// (full-step values of that time) and gets what the fluid does there. Before every step of the
 /// integrator it moves each velocity (and spin) by host/fluid_relaxation.h with what it got last.
 /// It acts in pre_initial_integrate(), which LIGGGHTS calls before any time integration fix, so the
-/// order of fixes in the script is free.
+/// order of fixes in the script is free. What the script holds of a particle's motion
+/// (host/motion_freedom.h) stays as it is: the fluid feels dt (F + K (u - v)) there.
 ///
 /// Impulse: reactionImpulse += m (v' - v) - dt pressureForce in each step, v to v' being what the fluid
 /// does, and -= m_a times the change of velocity by all other forces: added mass is fluid, its
@@ -39,6 +40,7 @@
 #include "host/fluid_loan.h"
 #include "host/fluid_properties.h"
 #include "host/leaving_particles.h"
+#include "host/motion_freedom.h"
 
 namespace powderlink::host {
 
@@ -75,6 +77,7 @@ class FixCoupleBridge : public LAMMPS_NS::Fix {
   bool is_in_fluid(std::size_t row) const;
   void store();
   void find_mean();
+  void speak_of_forgotten(double particles);
   void count_lost_impulse();
   void settle();
   void end_by_solver(LAMMPS_NS::bigint step);
@@ -91,10 +94,9 @@ class FixCoupleBridge : public LAMMPS_NS::Fix {
   struct StepArrays;
   void relax();
   void move(int i, StepArrays& all);
-  void hold(int i, StepArrays& all);
+  void move_within(const Freedom& freedom, int i, StepArrays& all);
   void count_added_mass();
   void remember_place(int i);
-  void find_held_atoms();
   void find_lenders();
   void borrow_values(const std::vector<int>& newcomers);
   void set_step(int i);
@@ -102,6 +104,8 @@ class FixCoupleBridge : public LAMMPS_NS::Fix {
 
   CoupleBridgeOptions options_;
   FluidProperties properties_;
+  MotionFreedom freedom_;
+  bool speaks_of_forgotten_ = false;  ///< at the next exchange
   std::unique_ptr<bridge::DemLink> link_;
   bool over_ = false;  ///< the solver has ended the coupled run
   bool spins_ = false, has_added_mass_ = false;
@@ -110,7 +114,6 @@ class FixCoupleBridge : public LAMMPS_NS::Fix {
   bool goes_on_ = false;              ///< and its first step is still to come
   bool checkpoint_is_due_ = false;    ///< at the next exchange
   LAMMPS_NS::bigint home_step_ = -1;  ///< when the atoms were brought home last
-  int held_ = 0;                      ///< group bits of the atoms that fix freeze holds
   double dt_s_ = 0.0;                 ///< agreed on
   LAMMPS_NS::bigint next_exchange_ = -1;
   double exchange_s_ = 0.0;

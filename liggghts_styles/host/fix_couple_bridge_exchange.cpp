@@ -96,7 +96,8 @@ void FixCoupleBridge::open_link() {
   hello.clock.continues = checkpoint_.step == update->ntimestep;
   hello.clock.ahead_s = checkpoint_.ahead_s;
   hello.offers = {fields::id,     fields::position, fields::velocity,        fields::spin,
-                  fields::radius, fields::density,  fields::reaction_impulse};
+                  fields::radius, fields::density,  fields::reaction_impulse,
+                  fields::held};
   hello.needs = {fields::fluid_velocity, fields::fluid_fraction, fields::drag_coefficient,
                  fields::reacting_force, fields::pressure_force};
   try {
@@ -171,6 +172,13 @@ void FixCoupleBridge::fill(const bridge::FieldSpec& field, std::vector<double>& 
   if (field == fields::spin) vectors(atom->omega);
   if (field == fields::radius) scalars(atom->radius);
   if (field == fields::density) scalars(atom->density);
+  if (field == fields::held) {
+    values.assign(all, 0.0);
+    for (std::size_t r = 0; r < rows_.size(); ++r) {
+      const int i = rows_[r];
+      if (!freedom_.is_whole(atom->mask[i]) && freedom_.of(i).is_none()) values[r] = 1.0;
+    }
+  }
   if (field == fields::reaction_impulse) {
     vectors(properties_.reaction_impulse());
     of_gone(&VanishedParticle::impulse_N_s);
@@ -278,16 +286,30 @@ void FixCoupleBridge::store() {
 /// For new particles on a rank that has none.
 void FixCoupleBridge::find_mean() {
   FluidLoan sum;
-  coupled_ = 0.0;
+  double count[2] = {0.0, 0.0};  // in the fluid, forgotten
   for (const int i : rows_) {
     if (properties_.step()[i][FluidProperties::kState] != FluidProperties::kOwn) continue;
     sum.add(FluidLoan(properties_, i, atom->radius[i]));
-    ++coupled_;
+    ++count[0];
+    if (freedom_.is_forgotten(atom->mask[i])) ++count[1];
   }
-  MPI_Allreduce(MPI_IN_PLACE, &coupled_, 1, MPI_DOUBLE, MPI_SUM, world);
+  MPI_Allreduce(MPI_IN_PLACE, count, 2, MPI_DOUBLE, MPI_SUM, world);
+  coupled_ = count[0];
+  speak_of_forgotten(count[1]);
   MPI_Allreduce(MPI_IN_PLACE, sum.data(), FluidLoan::size(), MPI_DOUBLE, MPI_SUM, world);
   if (coupled_ > 0.0) sum.divide(coupled_);
   mean_ = sum;
+}
+
+/// Held on purpose, or fix nve/sphere was left out or has another group: the user knows which.
+void FixCoupleBridge::speak_of_forgotten(double particles) {
+  if (!speaks_of_forgotten_ || particles == 0.0) return;
+  speaks_of_forgotten_ = false;
+  say("Warning: particles that do not move; given: " + number_text(particles) + " of " +
+      number_text(coupled_) +
+      " coupled particles in no group of a fix that integrates; allowed: yes, they keep their velocity "
+      "and the gas feels their drag; to do: for particles that fly, add fix nve/sphere to their group; to hold "
+      "them, nothing, or fix freeze");
 }
 
 /// What was given to all particles, less what was sent.

@@ -138,7 +138,8 @@ std::vector<bridge::FieldSpec> Foam::bridgeParticles::needs()
         f::spin,
         f::radius,
         f::density,
-        f::reaction_impulse
+        f::reaction_impulse,
+        f::held
     };
 }
 
@@ -180,6 +181,7 @@ void Foam::bridgeParticles::take
     ownership_.toOwner(radius, radius_);
     ownership_.toOwner(rowsOf<scalar>(table, plan, f::density), density_);
     ownership_.toOwner(impulse, impulse_);
+    ownership_.toOwner(rowsOf<scalar>(table, plan, f::held), held_);
 }
 
 

@@ -144,14 +144,18 @@ void Foam::momentumAccount::startInterval
         vector explicitPart(Zero);
         if (settings_.semiImplicit)
         {
-            const scalar mass =
-                4.0/3.0*constant::mathematical::pi
-               *pow3(particles_.radius()[i])*particles_.density()[i];
-            const scalar addedMass =
-                rows.addedMass.size() ? rows.addedMass[i] : 0;
-            const scalar share = mass/(mass + addedMass);
-            const scalar x = K*D/(mass + addedMass);
-            K *= share*powderlink::forces::relaxation_mean(x);
+            scalar share = 1;
+            if (!particles_.held(i))
+            {
+                const scalar mass =
+                    4.0/3.0*constant::mathematical::pi
+                   *pow3(particles_.radius()[i])*particles_.density()[i];
+                const scalar addedMass =
+                    rows.addedMass.size() ? rows.addedMass[i] : 0;
+                share = mass/(mass + addedMass);
+                const scalar x = K*D/(mass + addedMass);
+                K *= share*powderlink::forces::relaxation_mean(x);
+            }
             relaxedDrag_[i] = K;
             explicitForce_[i] =
                 share*rows.reactingForce[i] - (1 - share)*rows.pressureForce[i];
