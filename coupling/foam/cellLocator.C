@@ -2,7 +2,6 @@
 
 #include "cellLocator.H"
 #include "indexedOctree.H"
-#include "processorCyclicPolyPatch.H"
 #include "treeDataCell.H"
 
 #include <cmath>
@@ -14,6 +13,17 @@ namespace Foam
 {
     // Of the diagonal of the mesh
     static const scalar onFaceFraction = 1e-12;
+
+    // By which a point is moved before it is searched, over the distance within
+    // which it is on a face: no plane that meshes have is parallel to it
+    static const vector tieBreak(10, 6.18033988749895, 4.14213562373095);
+
+    // Two ranks may see the plane of their common face that far apart, over
+    // the distance within which a point is on it
+    static const scalar planesApart = 1e-3;
+
+    // Ways to move it: towards each octant
+    static const label nOctants = 8;
 
     // Cells that a walk may cross before the octree is the better way
     static const label maxWalk = 100;
@@ -28,21 +38,6 @@ namespace Foam
 
 void Foam::cellLocator::setSides()
 {
-    labelList rankBehind(mesh_.nFaces(), Pstream::myProcNo());
-    for (const polyPatch& pp : mesh_.boundaryMesh())
-    {
-        // Behind a cyclic patch is another place
-        if
-        (
-            isA<processorPolyPatch>(pp)
-         && !isA<processorCyclicPolyPatch>(pp)
-        )
-        {
-            SubList<label>(rankBehind, pp.size(), pp.start()) =
-                refCast<const processorPolyPatch>(pp).neighbProcNo();
-        }
-    }
-
     const labelList& owner = mesh_.faceOwner();
     DynamicList<side> sides(2*mesh_.nFaces());
     starts_.setSize(mesh_.nCells() + 1);
@@ -64,14 +59,47 @@ void Foam::cellLocator::setSides()
                 {
                     normal,
                     normal & mesh_.faceCentres()[facei],
-                    behind,
-                    rankBehind[facei]
+                    behind
                 }
             );
         }
     }
     starts_.last() = sides.size();
     sides_.transfer(sides);
+}
+
+
+void Foam::cellLocator::setBends()
+{
+    scalarField bends(mesh_.nCells(), Zero);
+    forAll(mesh_.faces(), facei)
+    {
+        const vector& S = mesh_.faceAreas()[facei];
+        const vector normal(S/max(mag(S), VSMALL));
+        scalar bend = 0;
+        for (const label pointi : mesh_.faces()[facei])
+        {
+            bend = max
+            (
+                bend,
+                mag(normal & (mesh_.points()[pointi] - mesh_.faceCentres()[facei]))
+            );
+        }
+        if (bend > onFace_)
+        {
+            scalar& ofOwner = bends[mesh_.faceOwner()[facei]];
+            ofOwner = max(ofOwner, bend);
+            if (mesh_.isInternalFace(facei))
+            {
+                scalar& ofNeighbour = bends[mesh_.faceNeighbour()[facei]];
+                ofNeighbour = max(ofNeighbour, bend);
+            }
+        }
+    }
+    if (bends.size() && max(bends) > 0)
+    {
+        bends_.transfer(bends);
+    }
 }
 
 
@@ -198,6 +226,19 @@ Foam::label Foam::cellLocator::walk
 }
 
 
+bool Foam::cellLocator::isNearBend
+(
+    const point& position,
+    const label celli
+) const
+{
+    return
+        bends_.size()
+     && bends_[celli] > 0
+     && depth(position, celli) <= bends_[celli];
+}
+
+
 Foam::label Foam::cellLocator::search
 (
     const point& position,
@@ -218,7 +259,14 @@ Foam::label Foam::cellLocator::search
     // Most particles are where they were
     if (hint >= 0 && next(position, hint, tolerance) == hint)
     {
-        return hint;
+        if
+        (
+            !isNearBend(position, hint)
+         || mesh_.pointInCell(position, hint, polyMesh::CELL_TETS)
+        )
+        {
+            return hint;
+        }
     }
     if (!bounds_.contains(position) || mesh_.nCells() == 0)
     {
@@ -238,25 +286,28 @@ Foam::label Foam::cellLocator::search
     }
     const label celli = walk(position, start, tolerance);
 
-    return celli == notKnown ? mesh_.cellTree().findInside(position) : celli;
+    return
+        celli == notKnown || isNearBend(position, celli)
+      ? mesh_.cellTree().findInside(position)
+      : celli;
 }
 
 
-bool Foam::cellLocator::belongsToLowerRank
+Foam::point Foam::cellLocator::moved
 (
     const point& position,
-    const label celli
+    const label octant
 ) const
 {
-    for (label i = starts_[celli]; i < starts_[celli + 1]; ++i)
+    vector shift(shift_);
+    for (direction d = 0; d < vector::nComponents; ++d)
     {
-        const side& s = sides_[i];
-        if (s.rank < Pstream::myProcNo() && s.outside(position) > -onFace_)
+        if (octant & (1 << d))
         {
-            return true;
+            shift[d] *= -1;
         }
     }
-    return false;
+    return position + shift;
 }
 
 
@@ -266,6 +317,7 @@ Foam::cellLocator::cellLocator(const fvMesh& mesh)
 :
     mesh_(mesh),
     onFace_(onFaceFraction*mesh.bounds().mag()),
+    shift_(onFace_*tieBreak),
     bounds_(mesh.points(), false)
 {
     bounds_.min() -= 2*onFace_*vector::one;
@@ -279,6 +331,7 @@ Foam::cellLocator::cellLocator(const fvMesh& mesh)
     }
 
     setSides();
+    setBends();
     setSeeds();
 }
 
@@ -291,18 +344,37 @@ Foam::label Foam::cellLocator::find
     const label hint
 ) const
 {
-    const label celli = search(position, hint, onFace_);
-
-    return
-        celli != inNoCell && belongsToLowerRank(position, celli)
-      ? inNoCell
-      : celli;
+    return search(position + shift_, hint, 0);
 }
 
 
-Foam::label Foam::cellLocator::claim(const point& position) const
+Foam::cellLocator::claim Foam::cellLocator::claimOf
+(
+    const point& position
+) const
 {
-    return search(position, -1, 2*onFace_);
+    const scalar tolerance = planesApart*onFace_;
+    label celli = search(moved(position, 0), -1, tolerance);
+    if (celli != inNoCell)
+    {
+        return {celli, 0};
+    }
+
+    // On a boundary, or outside
+    const label itself = search(position, -1, 2*onFace_);
+    if (itself == inNoCell)
+    {
+        return {inNoCell, labelMax};
+    }
+    for (label octant = 1; octant < nOctants; ++octant)
+    {
+        celli = search(moved(position, octant), -1, tolerance);
+        if (celli != inNoCell)
+        {
+            return {celli, octant};
+        }
+    }
+    return {itself, nOctants};
 }
 
 

@@ -108,7 +108,7 @@ void Foam::dividedVoidFraction::setWeights
             else
             {
                 awayParticles.append(i);
-                awayPositions.append(images_.inside(position));
+                awayPositions.append(images_.inside(position, locator_.shift()));
             }
         }
     }

@@ -44,24 +44,26 @@ void Foam::particleOwnership::offer
         nOffers += points.size();
     }
 
-    // The lowest rank of those that claim a point has it
-    labelList owner(nOffers, labelMax);
+    // The first claim counts; of several equal ones, which only round-off can
+    // make, that of the lowest rank
+    labelList first(nOffers, labelMax);
     labelList cells(nOffers);
     label row = 0;
     for (const pointField& points : offers)
     {
         for (const point& position : points)
         {
-            cells[row] = locator_.claim(position);
-            if (cells[row] >= 0)
+            const cellLocator::claim claim = locator_.claimOf(position);
+            cells[row] = claim.cell;
+            if (claim.cell >= 0)
             {
-                owner[row] = me;
+                first[row] = claim.order*Pstream::nProcs() + me;
             }
             ++row;
         }
     }
-    Pstream::listCombineGather(owner, minEqOp<label>());
-    Pstream::listCombineScatter(owner);
+    Pstream::listCombineGather(first, minEqOp<label>());
+    Pstream::listCombineScatter(first);
 
     DynamicList<label> stay(stay_);
     DynamicList<label> outside;
@@ -74,8 +76,8 @@ void Foam::particleOwnership::offer
     {
         forAll(offers[from], i)
         {
-            const label to = owner[row];
-            if (to == labelMax)
+            const label to = first[row]%Pstream::nProcs();
+            if (first[row] == labelMax)
             {
                 ++nOutsideGlobal_;
                 if (from == me)

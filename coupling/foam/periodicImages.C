@@ -83,26 +83,26 @@ Foam::periodicImages::periodicImages(const fvMesh& mesh)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::point Foam::periodicImages::inside(const point& position) const
+Foam::vector Foam::periodicImages::separation(const point& position) const
 {
-    point image(position);
-    scalar distance = beyond(image);
+    vector sum(Zero);
+    scalar distance = beyond(position);
     for (bool nearer = true; nearer && distance > 0;)
     {
         nearer = false;
         for (const vector& separation : separations_)
         {
-            const scalar moved = beyond(image + separation);
+            const scalar moved = beyond(position + sum + separation);
             if (moved < distance)
             {
-                image += separation;
+                sum += separation;
                 distance = moved;
                 nearer = true;
                 break;
             }
         }
     }
-    return image;
+    return sum;
 }
 
 

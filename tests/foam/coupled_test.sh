@@ -279,6 +279,30 @@ FIELDS
       below "$ranks ranks: closure" "$worst" 1e-10
     done
     ;;
+  ties)
+    # Grains on faces, edges and corners of cells, on cyclic patches and on the planes between ranks, held.
+    # Their cell is what counts: it gives the velocity of the gas and takes their volume and drag.
+    for ranks in 1 "2 (1 1 2)" "2 (2 1 1)" "4 (1 2 2)"; do
+      name=ranks_${ranks//[ ()]/}
+      new_case "$name"
+      sed -i 's/endTime 4e-4/endTime 6e-5/' system/caseSettings
+      change interpolation cell
+      sed -i -E 's/type smooth; length 5e-4/type centre/' constant/couplingProperties
+      sed -i -E "s/^( *n +).*/\1${ranks#* };/" system/decomposeParDict
+      sed -i -E "s/^(numberOfSubdomains +).*/\1${ranks%% *};/" system/decomposeParDict
+      awk 'BEGIN { printf "0 10\n"; split("0.50 2.25 2.25|2.00 2.25 2.75|1.25 2.00 2.00|2.00 2.00 2.00|3.0 1.0 3.5|" \
+          "0.00 1.25 1.25|0.00 0.00 3.25|0.00 0.00 0.00|3.25 0.00 2.00|1.00 3.00 1.25", at, "|")
+        for (i = 1; i <= 10; i++) { split(at[i], x, " ")
+          print i, 5e-5, x[1]*1e-3, x[2]*1e-3, x[3]*1e-3, 0, 0.3*i, 0.1*i, 0, 0, 0 } }' >dem.start
+      mpi 1 "${ranks%% *}" state=dem.start fixed=1 || { tail -n 20 log >&2; failed "$ranks ranks"; }
+      grep -q '^exchange 2: 10 particles, 0 outside' log || failed "$ranks ranks: grains are outside"
+      impulses() { awk 'NR > 1 { print $9, $10, $11 }' "$1"; }
+      differs=$(difference <(impulses ../ranks_1/dem.state) <(impulses dem.state))
+      echo "$ranks ranks: impulses differ by $differs"
+      # As far as the solution of the equations is closed.
+      below "$ranks ranks: impulses of grains on faces" "$differs" 1e-8
+    done
+    ;;
   restart)
     # With each exchange, and with the ramp and the open balance in full swing.
     for exchange in semiImplicit explicit; do

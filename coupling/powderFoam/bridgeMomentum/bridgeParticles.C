@@ -121,6 +121,7 @@ void Foam::bridgeParticles::checkOutside
 Foam::bridgeParticles::bridgeParticles(const fvMesh& mesh)
 :
     locator_(mesh),
+    images_(mesh),
     ownership_(locator_)
 {}
 
@@ -153,7 +154,11 @@ void Foam::bridgeParticles::take
 {
     namespace f = bridge::fields;
 
-    const List<point> position = rowsOf<point>(table, plan, f::position);
+    List<point> position = rowsOf<point>(table, plan, f::position);
+    for (point& place : position)
+    {
+        place = images_.onBoundary(place, locator_.shift());
+    }
     const List<scalar> radius = rowsOf<scalar>(table, plan, f::radius);
     const List<vector> impulse =
         rowsOf<vector>(table, plan, f::reaction_impulse);
