@@ -104,7 +104,10 @@ void draw_figure(const fs::path& svg, const std::string& script, const std::stri
                  (scripts / script).string()},
                 drafts.path(), messages, kLimit_s);
   if (outcome.exit_status != 0 || outcome.over_time || !fs::is_regular_file(draft)) {
-    throw InvalidInput("drawing " + svg.filename().string(), file_text(messages),
+    const fs::path kept = svg.string() + ".messages";
+    write_file(kept, file_text(messages));
+    throw InvalidInput("drawing " + svg.filename().string(),
+                       "gnuplot could not; its messages are in " + kept.string(),
                        "tables that gnuplot can draw", "look at the table, or " + instead);
   }
   write_file(svg, mended_svg(file_text(draft)));

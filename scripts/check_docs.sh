@@ -1,12 +1,14 @@
 #!/usr/bin/env bash
 # scripts/check_docs.sh [--links | --scripts LAUNCHER]
 # --links: every relative link of our pages leads to a file.
-# --scripts: every LIGGGHTS script shown in a page, in one folder per page and in its order, ends with
-#   status 0 and prints what the page says. Marked by a line before its block:
-#   <!-- file: NAME -->                     written only
+# --scripts: every LIGGGHTS script and every job shown in a page, in one folder per page and in its order,
+#   ends with status 0 and prints what the page says. Marked by a line before its block:
+#   <!-- file: NAME -->                     written only (scripts/page_files.sh)
 #   <!-- run: NAME expect: TEXT -->         written and run; TEXT must be in the output
+#   <!-- shell: NAME expect: TEXT -->       commands, run by bash with the launcher's folder in PATH
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
+root=$PWD
 shopt -s nullglob
 run_limit_s=120
 pages=(README.md CONTRIBUTING.md CHANGELOG.md docs/*.md)
@@ -28,26 +30,33 @@ links() {
 }
 
 scripts() {
-  local launcher=$1 page folder name text
+  local launcher=$1 page folder kind name text run
   [[ -x $launcher ]] || { broken "launcher; given: $launcher; allowed: a program; to do: build it"; return; }
+  # As the pages' readers have them.
+  launcher=$(realpath "$launcher")
+  export PATH=${launcher%/*}:$PATH WM_PROJECT_DIR=${WM_PROJECT_DIR:-/usr/share/openfoam}
+  export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
+  export OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_MCA_hwloc_base_binding_policy=none OMPI_MCA_mpi_yield_when_idle=1
   work=$(mktemp -d)
   trap 'rm -rf "$work"' EXIT
   for page in "${pages[@]}"; do
     folder=$work/${page//\//_}
-    mkdir -p "$folder"
+    "$root/scripts/page_files.sh" "$page" "$folder"
     awk -v folder="$folder" '
-      /^<!-- (run|file): / { kind = $2; name = $3; text = ""
+      /^<!-- (run|shell): / { kind = $2; name = $3; text = ""
         if (match($0, / expect: .* -->$/)) text = substr($0, RSTART + 9, RLENGTH - 13)
         next }
       name != "" && /^```/ {
         if (!inside) { inside = 1; next }
-        close(folder "/" name)
-        if (kind == "run:") printf "%s\t%s\n", name, text > (folder "/runs.txt")
+        if (kind == "shell:") close(folder "/" name)
+        printf "%s\t%s\t%s\n", kind, name, text > (folder "/runs.txt")
         inside = 0; name = ""; next }
-      inside { print > (folder "/" name) }' "$page"
+      inside && kind == "shell:" { print > (folder "/" name) }' "$page"
     [[ -f $folder/runs.txt ]] || continue
-    while IFS=$'\t' read -r name text; do
-      if ! (cd "$folder" && timeout "$run_limit_s" "$launcher" -in "$name" >"$name.out" 2>&1 </dev/null); then
+    while IFS=$'\t' read -r kind name text; do
+      run=("$launcher" -in "$name")
+      if [[ $kind == shell: ]]; then run=(bash -euo pipefail "$name"); fi
+      if ! (cd "$folder" && timeout "$run_limit_s" "${run[@]}" >"$name.out" 2>&1 </dev/null); then
         tail -n 5 "$folder/$name.out" >&2
         broken "$page, script $name: did not end with status 0"
       elif ! grep -qF -- "$text" "$folder/$name.out"; then
@@ -61,6 +70,6 @@ scripts() {
 case ${1:-} in
   --links) links ;;
   --scripts) scripts "${2:?launcher: build/bin/liggghts-powderlink}" ;;
-  *) sed -n '2,7s/^# //p' "${BASH_SOURCE[0]}" >&2; exit 2 ;;
+  *) sed -n '2,9s/^# //p' "${BASH_SOURCE[0]}" >&2; exit 2 ;;
 esac
 exit $status

@@ -4,6 +4,8 @@
 #                              [--transport mpi|socket]; sets short, ranks, out, dem_ranks, transport
 #   foam_case_copy [FOLDER]    the native files (of FOLDER) to $out/case, and cd there; with a name in
 #                              case_copy: to $out/$case_copy
+#   foam_case_entry FILE ENTRY    what OpenFOAM sees in a dictionary of the run; fails when it is not there
+#   foam_case_set FILE ENTRY VALUE    gives an entry of the run's copy a value
 #   foam_case_end FULL SHORT STEP    end time [s] of the form, into system/caseSettings and end_s; steps of
 #                              LIGGGHTS until then, of STEP seconds each, into dem_steps
 #   foam_case_run PROGRAM ...  runs it, log.PROGRAM beside the case; its last lines on failure
@@ -96,10 +98,22 @@ foam_case_copy() {
   fi
 }
 
+foam_case_entry() {  # file, entry
+  foamDictionary -precision 15 -entry "$2" -value "$1" 2>/dev/null || foam_case_fail "an entry is missing" \
+    "$2 in $PWD/$1" "a dictionary with that entry" "add it to the case's own file"
+}
+
+# All digits of the other entries stay with this precision, macros and includes as they are.
+foam_case_set() {  # file, entry, value
+  foamDictionary -precision 15 -disableFunctionEntries -entry "$2" -set "$3" "$1" >log.foamDictionary 2>&1 ||
+    foam_case_fail "an entry cannot be set" "$2 in $PWD/$1" "a dictionary that OpenFOAM reads" \
+      "see $PWD/log.foamDictionary"
+}
+
 foam_case_end() {  # full, short, step of LIGGGHTS
   end_s=$1
   if [[ $short == yes ]]; then end_s=$2; fi
-  sed -i "s/^endTime .*/endTime     $end_s;/" system/caseSettings
+  foam_case_set system/caseSettings endTime "$end_s"
   dem_steps=$(awk -v t="$end_s" -v dt="$3" 'BEGIN { printf "%d", t/dt + 0.5 }')
 }
 
@@ -121,8 +135,8 @@ foam_case_decompose() {
       y) parts=(1 "$ranks" 1) ;;
       z) parts=(1 1 "$ranks") ;;
     esac
-    sed -i -E "s/^(numberOfSubdomains).*/\1 $ranks;/; s/^( *n ).*/\1(${parts[*]});/" \
-      system/decomposeParDict
+    foam_case_set system/decomposeParDict numberOfSubdomains "$ranks"
+    foam_case_set system/decomposeParDict coeffs/n "(${parts[*]})"
     foam_case_run decomposePar
   fi
 }
@@ -171,7 +185,7 @@ foam_case_couple() {
       status=$?
     ((status == 0)) || foam_case_coupled_failed "exit status $status"
   else
-    sed -i 's/^\( *transport  *\)mpi;/\1socket;/' constant/couplingProperties
+    foam_case_set constant/couplingProperties particleMomentum/transport socket
     foam_case_socket_job || foam_case_coupled_failed "exit status $status (powderFoam), $dem_status (LIGGGHTS)"
   fi
   foam_case_add_time "$start"

@@ -31,6 +31,11 @@ if [[ -z ${WM_PROJECT_DIR:-} && -d /usr/share/openfoam/etc ]]; then
 fi
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
 
+# In a copy; all digits of the other entries stay with this precision.
+set_entry() {  # file, entry, value
+  foamDictionary -precision 15 -disableFunctionEntries -entry "$2" -set "$3" "$1" >/dev/null
+}
+
 # Highest resident memory [MB] of each program that runs in a folder; to FILE until it is killed.
 watch_memory() {  # folder, file
   local pid
@@ -100,8 +105,9 @@ stock() {  # name, program, steps, pressure solver: ours or tutorial
       for (i = 1; i <= n; i++) print grain[i]
       print ")"
     }' "$from/post/particles_5000.dump" >constant/grains
-  sed -i -E "s/^(endTime +)[^;]*;/\1$(awk "BEGIN { print ($3 + 2)*$stock_dt_s }");/" system/controlDict
-  sed -i -E "s/^(numberOfSubdomains).*/\1 $stock_ranks;/; s/^( *n ).*/\1(1 1 $stock_ranks);/" system/decomposeParDict
+  set_entry system/controlDict endTime "$(awk "BEGIN { print ($3 + 2)*$stock_dt_s }")"
+  set_entry system/decomposeParDict numberOfSubdomains "$stock_ranks"
+  set_entry system/decomposeParDict coeffs/n "(1 1 $stock_ranks)"
   decomposePar >log.decomposePar
   watch_memory "$folder" "$folder/memory" &
   local watcher=$!

@@ -38,6 +38,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 #include "fvCFD.H"
 #include "singlePhaseTransportModel.H"
 #include "alphafTurbulenceModel.H"
+#include "unmarkedWalls.H"
 #include "pimpleControl.H"
 #include "fvOptions.H"
 #include "couplingProperties.H"

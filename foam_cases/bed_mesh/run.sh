@@ -12,7 +12,7 @@ meshes=("4d:2 2 4" "2d:4 4 8" "1d:8 8 16" "0.5d:16 16 32")
 drops=
 for mesh in "${meshes[@]}"; do
   case_copy=case_${mesh%%:*} foam_case_copy "$bed"
-  sed -i "s/^cells .*/cells       (${mesh#*:});/" system/caseSettings
+  foam_case_set system/caseSettings cells "(${mesh#*:})"
   foam_case_run blockMesh
   foam_case_couple in.packed_bed
   drop=$(pressure_drop_Pa)

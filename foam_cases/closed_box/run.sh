@@ -14,8 +14,9 @@ for fluid in argon water; do
   rho=1.66
   if [[ $fluid == water ]]; then
     rho=998.2
-    sed -i -E "s/^(rho .*\]) .*/\1 $rho;/; s/^(nu .*\]) .*/\1 1.004e-6;/" constant/transportProperties
-    sed -i 's/(schiller_naumann)/(schiller_naumann virtual_mass)/' constant/couplingProperties
+    foam_case_set constant/transportProperties rho "$rho"
+    foam_case_set constant/transportProperties nu 1.004e-6
+    foam_case_set constant/couplingProperties particleMomentum/forces '(schiller_naumann virtual_mass)'
   fi
   foam_case_run blockMesh
   foam_case_couple in.closed_box -var steps "$dem_steps"

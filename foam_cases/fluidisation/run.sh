@@ -14,8 +14,8 @@ steps=$(awk -v t="$end_s" 'BEGIN { printf "%d", t/1e-5 + 0.5 }')
 run_bed() {  # folder, superficial velocity; sets drop [Pa], height [m] of the spheres' centre of mass
   local start=$out/fixed/post/restart.settled
   case_copy=$1 foam_case_copy "$case_folder"
-  sed -i "s/^endTime .*/endTime             $end_s;/; s/^superficialVelocity .*/superficialVelocity $2;/" \
-    system/caseSettings
+  foam_case_set system/caseSettings endTime "$end_s"
+  foam_case_set system/caseSettings superficialVelocity "$2"
   foam_case_run blockMesh
   if [[ $1 == fixed ]]; then
     foam_case_run "$foam_case_bin/liggghts-powderlink" -in in.settle

@@ -38,13 +38,12 @@ foam_case_options "${others[@]+"${others[@]}"}"
 foam_case_need liggghts-powderlink
 
 native=$PWD
-setting() { awk -v name="$1" '$1 == name { sub(";", "", $2); print $2 }' system/caseSettings; }
-set_entry() { sed -i -E "s|^($1 +)[^ ;]+;|\1$2;|" "$3"; }  # name, value, file
+setting() { foam_case_entry system/caseSettings "$1"; }
 calculate() { awk "BEGIN { printf \"%.10g\", $1 }"; }
 
 set_times() {
-  [[ -z $end_time ]] || set_entry endTime "$end_time" system/caseSettings
-  [[ -z $write_interval ]] || set_entry writeInterval "$write_interval" system/caseSettings
+  [[ -z $end_time ]] || foam_case_set system/caseSettings endTime "$end_time"
+  [[ -z $write_interval ]] || foam_case_set system/caseSettings writeInterval "$write_interval"
 }
 
 copy_case() {
@@ -53,7 +52,7 @@ copy_case() {
   foam_case_copy
   cp "$native"/../hagen_poiseuille/system/{blockMeshDict,fvSchemes,decomposeParDict} system
   cp "$native"/../hagen_poiseuille/constant/turbulenceProperties constant
-  set_entry inletVelocity "$gas_m_s" system/caseSettings
+  foam_case_set system/caseSettings inletVelocity "$gas_m_s"
 }
 
 # Steady flow of the gas alone, by OpenFOAM's own solver.

@@ -206,6 +206,37 @@ RAS { RASModel kEpsilon; turbulence on; printCoeffs off; kEpsilonCoeffs { C2 1.9
     awk -v a="${errors[0]}" -v b="${errors[1]}" 'BEGIN { exit !(a/b > 1.9 && a/b < 2.1 && (2*b - a)^2 < 0.002^2) }' ||
       failed "decay: errors ${errors[*]}"
     ;;
+  walls)
+    # As gmshToFoam writes a mesh: every patch is a `patch`. Nothing else differs from run to run.
+    warning='needs the distance to the wall'
+    walls_of() { # NAME MODEL WARNS
+      new_pipe "$1" RAS "$2"
+      sed -i -E 's/^( *)type +wall;/\1type patch;/; /inGroups/d' constant/polyMesh/boundary
+      sed -i 's/wall { type [a-zA-Z]*WallFunction;/wall { type calculated;/' 0/nut
+      sed -i 's/\(wall { type \)[a-zA-Z]*WallFunction;/\1fixedValue;/' 0/k 0/epsilon 0/omega
+      sed -i '/^functions/,$d' system/controlDict
+      solve
+      if [[ $3 == yes ]]; then
+        [[ $(grep -c "$warning" log) == 1 ]] || failed "$1: $(grep -c "$warning" log) warnings"
+      else
+        ! grep -q "$warning" log || failed "$1: warns of walls"
+      fi
+    }
+    walls_of sst kOmegaSST yes
+    grep -q 'no patch with faces is of type wall' log || failed "kOmegaSST without walls"
+    walls_of spalart SpalartAllmaras yes
+    walls_of kepsilon kEpsilon no       # has no wall distance
+    new_pipe marked RAS kOmegaSST
+    solve
+    ! grep -q "$warning" log || failed "warns although the wall is one"
+    # A wall that is marked does not speak for one that is not: the inlet closed, as a patch.
+    new_pipe closed RAS kOmegaSST
+    sed -i -E '/^ *inlet/,/\}/ s/type +[^;]*;/type noSlip;/' 0/U
+    sed -i -E '/^ *inlet/,/\}/ s/type +[^;]*;/type zeroGradient;/' 0/p
+    sed -i '/^functions/,$d' system/controlDict
+    solve
+    grep -q "the patches (inlet) with the condition noSlip are not of type wall" log || failed "a closed inlet"
+    ;;
   refusals)
     new_pipe bad RAS kEpsilon
     sed -i 's/simulationType RAS/simulationType RSA/' constant/turbulenceProperties
