@@ -3,10 +3,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
+#include "analysis/psd/edge_blur.h"
 #include "analysis/psd/split_touching.h"
 #include "models/invalid_input.h"
 
@@ -16,6 +18,7 @@ namespace {
 
 constexpr double kPi = boost::math::constants::pi<double>();
 constexpr double kSmoothing_px = 1.0;
+constexpr double kMostBlur_px = 2.0;   // wider edges are shaded, not blurred
 constexpr double kTinyHole_px = 12.0;  // area: noise
 constexpr double kConvex = 0.75;  // area over that of the hull; the gap of three disks has 0.37
 
@@ -41,8 +44,7 @@ void fill_holes(cv::Mat& mask) {
   }
 }
 
-void undo_smoothing(GrainShape& g) {
-  const double variance = kSmoothing_px * kSmoothing_px;
+void undo_blur(GrainShape& g, double variance) {
   g.perimeter_px += kPi * variance / std::sqrt(g.area_px / kPi);
   g.area_px += kPi * variance;
 }
@@ -56,10 +58,12 @@ Segmentation segment(const Micrograph& micrograph, const SegmentationOptions& op
                        fmt::format("0 to {}", micrograph.grey.rows - 32),
                        "give the height of the legend in pixels");
   }
-  cv::Mat picture;
-  cv::GaussianBlur(micrograph.grey.rowRange(0, rows), picture, cv::Size(), kSmoothing_px,
-                   kSmoothing_px, cv::BORDER_REFLECT);
-  const cv::Mat share = grain_share(picture, options.tone, micrograph.file);
+  const cv::Mat picture = micrograph.grey.rowRange(0, rows);
+  cv::Mat smoothed;
+  cv::GaussianBlur(picture, smoothed, cv::Size(), kSmoothing_px, kSmoothing_px, cv::BORDER_REFLECT);
+  const cv::Mat share = grain_share(picture, smoothed, options.tone, micrograph.file);
+  const double blur_px = std::clamp(edge_blur_px(share), kSmoothing_px, kMostBlur_px);
+  const double variance = blur_px * blur_px;
   cv::Mat mask = share > options.level;
   fill_holes(mask);
   Segmentation s;
@@ -67,7 +71,7 @@ Segmentation segment(const Micrograph& micrograph, const SegmentationOptions& op
                                    : cv::connectedComponents(mask, s.labels, 8, CV_32S) - 1;
   const double least_area = kPi / 4.0 * options.least_px * options.least_px;
   for (GrainShape& g : grain_shapes(s.labels, grains)) {
-    undo_smoothing(g);
+    undo_blur(g, variance);
     if (g.at_edge) {
       s.cut.push_back(g);
     } else if (g.area_px < least_area) {

@@ -4,8 +4,11 @@
 ///   smooth (Gauss, sigma = 1 pixel) -> share between the two brightnesses (two_levels.h) -> threshold
 ///   -> fill holes -> part touching grains (split_touching.h) -> measure (grain_shapes.h)
 ///   -> leave out what is cut by the picture's edge or smaller than `least_px`.
-/// Smoothing moves an edge of radius R inwards by sigma^2/(2 R): pi sigma^2 is added to the area and
-/// pi sigma^2/R to the perimeter. The blur of the optics does the same and is not known here.
+/// Blur of variance sigma^2 moves an edge of radius R inwards by sigma^2/(2 R): pi sigma^2 is added to
+/// the area and pi sigma^2/R to the perimeter. sigma holds smoothing, optics and pixels together, as the
+/// picture's own edges show it (edge_blur.h), up to 2 pixels: wider edges are shaded, not blurred.
+/// Disks from 10 pixels thus have no bias above 0.05 pixels; one disk scatters by 0.4 d^-1.5 of its
+/// diameter d in pixels, by where it lies on the grid.
 /// A hole is filled when it is convex (a highlight) or tiny; the gap between touching grains is
 /// neither. Grains of 10 pixels or more are measured, smaller ones are found down to `least_px`.
 /// Larger grains are cut by the edge more often: a grain of diameter d is whole with probability

@@ -20,6 +20,10 @@ constexpr int kRounds = 5;
 constexpr double kSamples = 60000;  // pixels that are fitted
 constexpr double kEdge = 0.25;      // distance from the surfaces, in shares, where edges begin
 constexpr double kApart = 4.0;      // of the scatter
+constexpr double kDepths_px[] = {4.0, 3.0, 2.0};  // from the nearest pixel of the other class
+constexpr std::size_t kFewestInside = 200;        // pixels that deep
+
+double to_unit(int i, int n) { return 2.0 * (i + 0.5) / n - 1.0; }
 
 int terms(int degree) { return (degree + 1) * (degree + 2) / 2; }
 
@@ -70,13 +74,29 @@ class Surface {
     for (int i = 0; i < terms(degree_); ++i) sum += b[i] * c_[i];
     return sum;
   }
+  /// The same along a row of the picture, where it is a polynomial of x alone.
+  void along_row(double y, std::vector<double>& values) const {
+    double of_y[kBackgroundDegree + 1] = {1.0, y}, of_x[kBackgroundDegree + 1] = {};
+    for (int j = 2; j <= degree_; ++j) of_y[j] = 2.0 * y * of_y[j - 1] - of_y[j - 2];
+    for (int i = 0, k = 0; i <= degree_; ++i)
+      for (int j = 0; i + j <= degree_; ++j) of_x[i] += c_[k++] * of_y[j];
+    const int cols = static_cast<int>(values.size());
+    for (int c = 0; c < cols; ++c) {
+      const double x = to_unit(c, cols);
+      double after = 0.0, at = 0.0;  // Clenshaw's sum
+      for (int i = degree_; i > 0; --i) {
+        const double before = of_x[i] + 2.0 * x * at - after;
+        after = at;
+        at = before;
+      }
+      values[static_cast<std::size_t>(c)] = of_x[0] + x * at - after;
+    }
+  }
 
  private:
   int degree_;
   Eigen::VectorXd c_;
 };
-
-double to_unit(int i, int n) { return 2.0 * (i + 0.5) / n - 1.0; }
 
 std::vector<Sample> samples_of(const cv::Mat& picture) {
   const int step =
@@ -112,9 +132,27 @@ struct TwoLevels {
   double apart = 0.0;
 
   /// 0 where the surfaces cross, in a corner without grains.
-  double share(double x, double y, double value) const {
-    const double b = background(x, y), contrast = grains(x, y) - b;
-    return (contrast > 0.0) == bright && contrast != 0.0 ? (value - b) / contrast : 0.0;
+  double share(double background_there, double grains_there, double value) const {
+    const double contrast = grains_there - background_there;
+    const bool right = (contrast > 0.0) == bright && contrast != 0.0;
+    return right ? (value - background_there) / contrast : 0.0;
+  }
+  double share(const Sample& s) const {
+    return share(background(s.x, s.y), grains(s.x, s.y), s.value);
+  }
+  cv::Mat share(const cv::Mat& picture) const {
+    cv::Mat result(picture.size(), CV_32F);
+    std::vector<double> b(static_cast<std::size_t>(picture.cols)), f = b;
+    for (int r = 0; r < picture.rows; ++r) {
+      const double y = to_unit(r, picture.rows);
+      background.along_row(y, b);
+      grains.along_row(y, f);
+      const float* from = picture.ptr<float>(r);
+      float* to = result.ptr<float>(r);
+      for (std::size_t c = 0; c < b.size(); ++c)
+        to[c] = static_cast<float>(share(b[c], f[c], from[c]));
+    }
+    return result;
   }
 };
 
@@ -132,7 +170,7 @@ TwoLevels fit_levels(const std::vector<Sample>& samples, GrainTone tone, int tre
   std::vector<double> shares(samples.size());
   for (int round = 0; round < kRounds; ++round) {
     std::transform(samples.begin(), samples.end(), shares.begin(),
-                   [&](const Sample& s) { return t.share(s.x, s.y, s.value); });
+                   [&](const Sample& s) { return t.share(s); });
     std::size_t i = 0;
     t.background.fit(samples, [&](const Sample&) { return shares[i++] < kEdge; });
     i = 0;
@@ -150,9 +188,47 @@ TwoLevels fit_levels(const std::vector<Sample>& samples, GrainTone tone, int tre
   return t;
 }
 
+/// Pixels of a class, deeper in it than the edge's blur reaches where there are enough of these.
+std::vector<Sample> inside(const cv::Mat& picture, const cv::Mat& of_class) {
+  cv::Mat depth;
+  cv::distanceTransform(of_class, depth, cv::DIST_L2, cv::DIST_MASK_3, CV_32F);
+  for (const double least : kDepths_px) {
+    const cv::Mat deep = depth >= least;
+    const auto count = static_cast<std::size_t>(cv::countNonZero(deep));
+    if (count < kFewestInside) continue;
+    const std::size_t step = 1 + count / static_cast<std::size_t>(kSamples);
+    std::vector<Sample> samples;
+    std::size_t i = 0;
+    for (int r = 0; r < picture.rows; ++r) {
+      const double y = to_unit(r, picture.rows);
+      const auto* is_deep = deep.ptr<unsigned char>(r);
+      for (int c = 0; c < picture.cols; ++c) {
+        if (is_deep[c] != 0 && i++ % step == 0)
+          samples.push_back(
+              {to_unit(c, picture.cols), y, static_cast<double>(picture.at<float>(r, c))});
+      }
+    }
+    return samples;
+  }
+  return {};
+}
+
+/// The levels anew from what is inside, without the edges.
+cv::Mat share_between_insides(TwoLevels levels, const cv::Mat& picture, const cv::Mat& smoothed) {
+  const cv::Mat share = levels.share(smoothed);
+  const auto all = [](const Sample&) { return true; };
+  const std::vector<Sample> background = inside(picture, share < 0.5),
+                            grains = inside(picture, share > 0.5);
+  if (background.empty() || grains.empty()) return share;
+  levels.background.fit(background, all);
+  levels.grains.fit(grains, all);
+  return levels.share(smoothed);
+}
+
 }  // namespace
 
-cv::Mat grain_share(const cv::Mat& smoothed, GrainTone tone, const std::string& name) {
+cv::Mat grain_share(const cv::Mat& picture, const cv::Mat& smoothed, GrainTone tone,
+                    const std::string& name) {
   const std::vector<Sample> samples = samples_of(smoothed);
   // Light alone has one level around its trend. Beyond that, a few large grains look like light and
   // strong light like grains: the start that parts them best is taken.
@@ -172,15 +248,7 @@ cv::Mat grain_share(const cv::Mat& smoothed, GrainTone tone, const std::string& 
     TwoLevels other = fit_levels(samples, tone, degree);
     if (other.apart > best.apart) best = other;
   }
-  cv::Mat result(smoothed.size(), CV_32F);
-  for (int r = 0; r < smoothed.rows; ++r) {
-    const double y = to_unit(r, smoothed.rows);
-    const float* from = smoothed.ptr<float>(r);
-    float* to = result.ptr<float>(r);
-    for (int c = 0; c < smoothed.cols; ++c)
-      to[c] = static_cast<float>(best.share(to_unit(c, smoothed.cols), y, from[c]));
-  }
-  return result;
+  return share_between_insides(best, picture, smoothed);
 }
 
 }  // namespace powderlink::analysis

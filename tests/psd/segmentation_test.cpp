@@ -6,6 +6,7 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "analysis/particles/size_distribution.h"
+#include "analysis/psd/edge_blur.h"
 #include "analysis/psd/split_touching.h"
 #include "tests/analysis/test_files.h"
 #include "tests/psd/drawn_spheres.h"
@@ -71,6 +72,84 @@ TEST(Segmentation, NoiseAndBlur) {
       expect_right(s, "noise " + std::to_string(noise) + ", blur " + std::to_string(blur));
     }
   }
+}
+
+/// Disks of one diameter at random places of a lattice. Every pixel has the area that is covered, from
+/// the closed form of the chord over strips of 1/64 pixel: independent of draw().
+cv::Mat equal_disks(double d, bool bright, double blur_px, double noise) {
+  constexpr int rows = 14;
+  constexpr int strips = 64;
+  const double pitch = 2.5 * d, r = d / 2;
+  const int side = static_cast<int>(pitch * rows);
+  boost::random::mt19937_64 generator(11);
+  boost::random::uniform_01<double> any;
+  boost::random::normal_distribution<double> normal;
+  cv::Mat share = cv::Mat::zeros(side, side, CV_32F);
+  for (int k = 0; k < rows * rows; ++k) {
+    const double x = (k % rows + 0.5) * pitch + any(generator);
+    const double y = (k / rows + 0.5) * pitch + any(generator);
+    for (int i = static_cast<int>(y - r); i <= static_cast<int>(y + r); ++i) {
+      for (int j = static_cast<int>(x - r); j <= static_cast<int>(x + r); ++j) {
+        double area = 0;
+        for (int s = 0; s < strips; ++s) {
+          const double h =
+              std::sqrt(std::max(0.0, r * r - std::pow(j + (s + 0.5) / strips - x, 2)));
+          area += std::max(0.0, std::min(i + 1.0, y + h) - std::max<double>(i, y - h)) / strips;
+        }
+        share.at<float>(i, j) += static_cast<float>(area);
+      }
+    }
+  }
+  if (blur_px > 0) cv::GaussianBlur(share, share, cv::Size(), blur_px);
+  cv::Mat grey = bright ? cv::Mat(0.2 + 0.5 * share) : cv::Mat(0.75 - 0.5 * share);
+  for (float& value : cv::Mat_<float>(grey)) value += static_cast<float>(noise * normal(generator));
+  return grey;
+}
+
+TEST(Segmentation, SmallDisksHaveNoBias) {
+  constexpr double kBias_px = 0.05;  // 196 disks scatter by 0.13 pixels each: 5 sigma of their mean
+  struct Look {
+    bool bright;
+    double blur_px, noise;
+  };
+  for (const double d : {10.0, 12.0, 15.0}) {
+    for (const Look& look :
+         {Look{false, 0, 0}, Look{true, 0, 0.04}, Look{false, 0.8, 0.04}, Look{true, 1.3, 0}}) {
+      const Segmentation s =
+          segment({"disks", equal_disks(d, look.bright, look.blur_px, look.noise), {}}, {});
+      double area = 0, perimeter = 0;
+      for (const GrainShape& g : s.grains) {
+        area += std::sqrt(4 * g.area_px / M_PI) / static_cast<double>(s.grains.size());
+        perimeter += g.perimeter_px / M_PI / static_cast<double>(s.grains.size());
+      }
+      const std::string what = std::to_string(d) + " pixels, " + (look.bright ? "bright" : "dark") +
+                               ", blur " + std::to_string(look.blur_px);
+      EXPECT_EQ(s.grains.size(), 196U) << what;
+      EXPECT_NEAR(area, d, kBias_px) << what;
+      EXPECT_NEAR(perimeter, d, kBias_px) << what;
+    }
+  }
+}
+
+TEST(EdgeBlur, IsThatOfStraightEdgesOverAllAngles) {
+  constexpr double kMean = 0.01;  // whole pixels in a band average out over angles
+  constexpr int angles = 40;
+  for (const double sigma : {1.0, 1.5, 2.0}) {
+    double mean = 0;
+    for (int k = 0; k < angles; ++k) {
+      const double t = (k + 0.37) * M_PI / angles;
+      cv::Mat share(150, 150, CV_32F);
+      for (int i = 0; i < 150; ++i) {
+        for (int j = 0; j < 150; ++j) {
+          const double off = (j - 74.7) * std::cos(t) + (i - 74.4) * std::sin(t);
+          share.at<float>(i, j) = static_cast<float>(0.5 * std::erfc(off / sigma / std::sqrt(2.0)));
+        }
+      }
+      mean += edge_blur_px(share) / sigma / angles;
+    }
+    EXPECT_NEAR(mean, 1, kMean) << sigma;
+  }
+  EXPECT_EQ(edge_blur_px(cv::Mat::zeros(50, 50, CV_32F)), 0);
 }
 
 TEST(Segmentation, UnevenLight) {
