@@ -263,7 +263,8 @@ Foam::fluidForces::fluidRows Foam::fluidForces::interpolate
     if (needsPressureGradient_)
     {
         rows.pressureGradient =
-            properties_.rho*interpolation.interpolate(fvc::grad(fluid.p)());
+            properties_.rho
+           *(interpolation.interpolate(fvc::grad(fluid.p)()) - fluid.drive);
     }
 
     tmp<volTensorField> tgradU;

@@ -19,6 +19,9 @@ Description
       - div(share nuEff (grad(U) + dev2(T(grad(U)))))
       = - share grad(p) + Su + Sp U + fvOptions
 
+    Uniform sources among fvOptions are a mean pressure gradient and shared as
+    grad(p) is (drivingGradient.H).
+
     share is alphaf in model A (pressure gradient and viscous stress shared
     with the particles) and 1 in model B (both in the fluid only). Su and Sp come from
     a particleMomentum model and, like fvOptions, are per volume of cell.
@@ -41,10 +44,15 @@ SPDX-License-Identifier: GPL-3.0-or-later
 #include "unmarkedWalls.H"
 #include "pimpleControl.H"
 #include "fvOptions.H"
+#include "caseChecks.H"
 #include "couplingProperties.H"
+#include "drivingGradient.H"
+#include "inletCheck.H"
 #include "particleMomentum.H"
 #include "mpiWorld.H"
 #include "breakOff.H"
+
+#define CREATE_CONTROL createPimpleAlgorithm.H
 
 // * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
 
@@ -63,7 +71,8 @@ int main(int argc, char *argv[])
     mpiWorld::meet();
     #include "createTime.H"
     #include "createMesh.H"
-    #include "createControl.H"
+    caseChecks::check(mesh);
+    #include "createPimpleAlgorithm.H"
     #include "createTimeControls.H"
     #include "createFields.H"
 
@@ -82,6 +91,11 @@ int main(int argc, char *argv[])
         }
 
         #include "createFvOptions.H"
+        if (particles->coupled() || gMin(alphaf) < 1)
+        {
+            drivingGradient::report(mesh, coupling.pressureShared());
+        }
+        inletCheck inlets(U);
         #include "initContinuityErrs.H"
         #include "CourantNo.H"
         #include "setInitialDeltaT.H"
@@ -113,6 +127,7 @@ int main(int argc, char *argv[])
 
             alphaff = fvc::interpolate(alphaf);
             alphaPhi = alphaff*phi;
+            inlets.check(phi, alphaPhi);
 
             // --- Pressure-velocity PIMPLE corrector loop
             while (pimple.loop())
@@ -128,6 +143,7 @@ int main(int argc, char *argv[])
                 if (pimple.turbCorr())
                 {
                     laminarTransport.correct();
+                    turbulenceFlux = alphaPhi;
                     turbulence->correct();
                 }
             }

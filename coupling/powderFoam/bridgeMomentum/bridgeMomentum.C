@@ -3,6 +3,7 @@
 #include "bridgeMomentum.H"
 #include "bridgeValues.H"
 #include "dictionaryChecks.H"
+#include "drivingGradient.H"
 #include "addToRunTimeSelectionTable.H"
 #include "turbulentTransportModel.H"
 #include "fvcDdt.H"
@@ -61,7 +62,8 @@ void Foam::bridgeMomentum::evaluateForces()
         p_,
         particleFluidFraction_,
         nuEff.valid() ? &nuEff() : nullptr,
-        ddtU_.valid() ? &ddtU_() : nullptr
+        ddtU_.valid() ? &ddtU_() : nullptr,
+        drivingGradient::value(mesh_)
     };
     const fluidForces::fluidRows atParticles
     (

@@ -34,6 +34,22 @@ Foam::fluidForces::fluidProperties Foam::bridgeSettings::readFluid
         }
     }
 
+    const word viscosity
+    (
+        transport.getOrDefault<word>("transportModel", "Newtonian")
+    );
+    if (viscosity != "Newtonian")
+    {
+        dictionaryChecks::badValue
+        (
+            transport,
+            "transportModel",
+            viscosity,
+            "Newtonian: the laws of the forces on particles have one viscosity",
+            "set transportModel Newtonian, or run without particles"
+        );
+    }
+
     const uniformDimensionedVectorField g
     (
         IOobject
@@ -109,11 +125,19 @@ void Foam::bridgeSettings::check() const
         );
     }
 
-    if
-    (
-        fluidForces::chosen(dict).found("buoyancy")
-     && mag(fluid.g) < VSMALL
-    )
+    const bool buoyant = fluidForces::chosen(dict).found("buoyancy");
+    if (!buoyant && mag(fluid.g) > VSMALL)
+    {
+        Info<< "Warning: gravity of constant/g" << nl
+            << "    given:   " << fluid.g << " m/s2, and no buoyancy among the"
+            << " forces" << nl
+            << "    allowed: yes: p is without the fluid's weight, that of the"
+            << " particles is fix gravity in LIGGGHTS" << nl
+            << "    to do:   add buoyancy to forces where the fluid's weight"
+            << " matters to particles" << nl << endl;
+    }
+
+    if (buoyant && mag(fluid.g) < VSMALL)
     {
         dictionaryChecks::badValue
         (

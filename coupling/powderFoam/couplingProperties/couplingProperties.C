@@ -3,6 +3,28 @@
 #include "couplingProperties.H"
 #include "dictionaryChecks.H"
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+    Foam::IOdictionary readDict(const Foam::fvMesh& mesh)
+    {
+        return Foam::IOdictionary
+        (
+            Foam::IOobject
+            (
+                "couplingProperties",
+                mesh.time().constant(),
+                mesh,
+                Foam::IOobject::READ_IF_PRESENT,
+                Foam::IOobject::NO_WRITE,
+                false
+            )
+        );
+    }
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::couplingProperties::couplingProperties(const fvMesh& mesh)
@@ -13,18 +35,7 @@ Foam::couplingProperties::couplingProperties(const fvMesh& mesh)
     maxCoFatal_(5),
     particleMomentumDict_()
 {
-    const IOdictionary dict
-    (
-        IOobject
-        (
-            "couplingProperties",
-            mesh.time().constant(),
-            mesh,
-            IOobject::READ_IF_PRESENT,
-            IOobject::NO_WRITE,
-            false
-        )
-    );
+    const IOdictionary dict(readDict(mesh));
 
     if (dict.empty())
     {
@@ -114,6 +125,14 @@ Foam::couplingProperties::couplingProperties(const fvMesh& mesh)
         Info<< couplingInterval_ << " step(s)";
     }
     Info<< ", stop above Courant number " << maxCoFatal_ << nl << endl;
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool Foam::couplingProperties::isPressureShared(const fvMesh& mesh)
+{
+    return readDict(mesh).getOrDefault<word>("model", "A") != "B";
 }
 
 
