@@ -44,6 +44,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 #include "particleMomentum.H"
 #include "mpiWorld.H"
 #include "breakOff.H"
+#include "writtenFiles.H"
 
 // * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
 
@@ -62,6 +63,7 @@ int main(int argc, char *argv[])
     mpiWorld::meet();
     #include "createTime.H"
     #include "createMesh.H"
+    writtenFiles::checkStart(mesh);
     #include "createControl.H"
     #include "createTimeControls.H"
     #include "createFields.H"

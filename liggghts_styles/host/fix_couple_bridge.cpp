@@ -14,6 +14,7 @@
 #include "update.h"
 
 #include "host/fluid_relaxation.h"
+#include "host/massflow_state.h"
 #include "host/stop_all.h"
 #include "models/invalid_input.h"
 
@@ -49,6 +50,7 @@ FixCoupleBridge::FixCoupleBridge(LAMMPS* lmp, int narg, char** arg)
 FixCoupleBridge::~FixCoupleBridge() {
   atom->delete_callback(id, 0);
   if (!link_) return;
+  say_where_it_ends();
   try {
     link_->finish();
   } catch (const bridge::BridgeError& problem) {
@@ -83,7 +85,11 @@ void FixCoupleBridge::init() {
   }
 }
 
-void FixCoupleBridge::setup(int /*vflag*/) { forces_of_setup_ = true; }
+void FixCoupleBridge::setup(int /*vflag*/) {
+  forces_of_setup_ = true;
+  // What is printed before the first step has it already.
+  if (goes_on_) set_massflow_state(lmp, checkpoint_.counted);
+}
 
 void FixCoupleBridge::pre_initial_integrate() {
   // LIGGGHTS counts the step before it does it: positions and velocities are those of this one.

@@ -93,7 +93,8 @@ void Foam::bridgeMomentum::sayStop()
     {
         return;
     }
-    const bool isWritten = fieldsAreWritten();
+    // What is written between two exchanges is no part of a pair
+    const bool isWritten = fieldsAreWritten() && !(clock_.sinceExchange() > 0);
     if (answerIsDue_)
     {
         link_.sendValues({bridge::Command::stop, isCheckpoint_}, {});
@@ -371,6 +372,16 @@ void Foam::bridgeMomentum::fail(const string& why)
 void Foam::bridgeMomentum::finish()
 {
     timer_.lap(couplingTimer::fluid);
+    if (clock_.sinceExchange() > 0)
+    {
+        // With the answer they have been let go for the whole interval
+        const scalar particles =
+            mesh_.time().value()
+          + (answerIsDue_ ? -clock_.sinceExchange() : clock_.remaining());
+        Info<< "Warning: the run ended between two exchanges: the gas is at "
+            << mesh_.time().value() << " s, the particles are at "
+            << particles << " s of the same clock" << nl << endl;
+    }
     sayStop();
     timer_.report();
 }
