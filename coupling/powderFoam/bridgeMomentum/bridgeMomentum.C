@@ -221,6 +221,24 @@ Foam::bridgeMomentum::bridgeMomentum
         << (settings_.concurrent ? "concurrent" : "staggered") << ", "
         << (settings_.semiImplicit ? "semiImplicit" : "explicit") << nl
         << endl;
+
+    if
+    (
+        settings_.twoWay
+     && link_.peer().clock.continues
+     && !clocksOnDisk_.start().continues
+    )
+    {
+        Info<< "Warning: open balance of momentum at the start" << nl
+            << "    given:   particles that go on from a checkpoint, fields of"
+            << " time " << mesh.time().timeName() << " s that are none: no"
+            << " uniform/couplingClock, no momentumBalance" << nl
+            << "    allowed: both; without them the balance begins at zero, and"
+            << " what was open is lost" << nl
+            << "    to do:   restore both files, or go on from the last complete"
+            << " pair: powderlink restart CASE --prepare; for a new run give fix"
+            << " couple/bridge another ID" << nl << endl;
+    }
 }
 
 
