@@ -15,6 +15,8 @@
 #                              OPTIONS as one coupled job; log.powderFoam, log.liggghts.screen; adds to
 #                              wall_s; OPTIONS are for LIGGGHTS (-var NAME VALUE)
 #   foam_case_result NAME UNIT VALUE REFERENCE TOLERANCE SOURCE   as case_result (case_results.sh)
+#   foam_case_grain_steps STEP DUMP...    stops the run of the script when a grain of the dumps moves so far in
+#                              a step of STEP seconds that fix massflow/mesh may not count it
 #   foam_case_closure NAME     the worst balance of an exchange in powderFoam's own sums as a quantity
 #   foam_case_write CASE       results.json in $out; exit status 1 if a quantity fails
 # The programs are taken from POWDERLINK_BIN, else from the repository's build/bin.
@@ -214,6 +216,22 @@ foam_case_socket_job() {
 }
 
 foam_case_result() { case_result "$@"; }
+
+# fix massflow/mesh looks at grains that touch its mesh: one that is before it at a step and behind it,
+# out of touch, at the next has not been seen.
+foam_case_grain_steps() {  # time step of LIGGGHTS, dumps with vx vy vz radius
+  local step_s=$1 most=0.9 fastest
+  shift
+  fastest=$(awk -v dt="$step_s" '
+    /^ITEM: ATOMS/ { split("", column); for (i = 3; i <= NF; i++) column[$i] = i - 2; rows = 1; next }
+    /^ITEM:/ { rows = 0 }
+    rows { far = dt*sqrt($column["vx"]^2 + $column["vy"]^2 + $column["vz"]^2)/$column["radius"]
+      if (far > most) { most = far; what = sprintf("%.3g of its radius: grain %d in %s", far, $column["id"], FILENAME) } }
+    END { print most + 0, what }' "$@")
+  awk -v far="${fastest%% *}" -v most="$most" 'BEGIN { exit far > most }' || foam_case_fail \
+    "a grain may pass the mesh of fix massflow/mesh uncounted" "in a step it moves ${fastest#* }" \
+    "at most $most of the radius" "lower the time step in the LIGGGHTS script"
+}
 
 foam_case_closure() {  # name
   local closure

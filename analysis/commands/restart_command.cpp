@@ -44,6 +44,8 @@ void run(const Options& o) {
              pair.fields.time_s, pair.dem.step, folders.front().string(),
              folders.size() > 1 ? fmt::format(" and {} more processors", folders.size() - 1) : "",
              pair.dem.file.string());
+  const std::string stale = found.stale_processors();
+  if (!stale.empty()) fmt::print("note: {}\n", stale);
   if (o.prepare) {
     for (const std::string& line : prepare_restart(o.folder, found)) fmt::print("{}\n", line);
     fmt::print(

@@ -7,7 +7,6 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <cstdint>
 #include <fstream>
 #include <map>
 #include <set>
@@ -15,6 +14,7 @@
 
 #include "analysis/flow/dem_time_step.h"
 #include "analysis/restart/field_file.h"
+#include "files/restart_file.h"
 #include "models/invalid_input.h"
 
 namespace powderlink::analysis {
@@ -24,6 +24,8 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::array<const char*, 4> kFields{"U", "p", "phi", "alphaf"};
+constexpr const char* kBalance = "momentumBalance";
+constexpr const char* kClock = "uniform/couplingClock";
 constexpr double kDigits = 6.0;         // OpenFOAM's default timePrecision
 constexpr std::size_t kMostLines = 10;  // of reasons in one message
 
@@ -48,19 +50,25 @@ double rounding_of(const std::string& name, double time_s) {
   return 0.5 * std::pow(10.0, std::floor(std::log10(std::abs(time_s))) + 1.0 - digits);
 }
 
-/// A number of a dictionary, as `value 0.0125;`.
-std::optional<double> number_in(const fs::path& file, const std::string& name) {
-  std::ifstream in(file);
+/// The value of an entry of a dictionary that powderFoam has written, as `value 0.0125;`, without its
+/// quotation marks; of a file that may be compressed.
+std::optional<std::string> entry_in(const fs::path& file, const std::string& name) {
+  std::istringstream in(text_of_foam_file(plain_or_compressed(file)));
   std::string key, value;
-  std::string line;
-  while (std::getline(in, line)) {
+  for (std::string line; std::getline(in, line);) {
     std::istringstream words(line);
-    if (words >> key >> value && key == name && value.back() == ';') {
-      value.pop_back();
-      return whole_number<double>(value);
-    }
+    if (!(words >> key) || key != name || !std::getline(words >> std::ws, value)) continue;
+    if (value.empty() || value.back() != ';') continue;
+    value.pop_back();
+    const bool quoted = value.size() >= 2 && value.front() == '"' && value.back() == '"';
+    return quoted ? value.substr(1, value.size() - 2) : value;
   }
   return {};
+}
+
+std::optional<double> number_in(const fs::path& file, const std::string& name) {
+  const auto value = entry_in(file, name);
+  return value ? whole_number<double>(*value) : std::nullopt;
 }
 
 /// Field files in a time folder, without the ending .gz.
@@ -75,18 +83,31 @@ std::map<std::string, fs::path> files_of(const fs::path& folder) {
   return files;
 }
 
-void judge(FieldCheckpoint& checkpoint, const std::vector<fs::path>& roots) {
+/// Names of the files that belong to the checkpoint, relative to its folders: those that every one must
+/// have, those that any processor has, and those that powderFoam says it has written.
+std::set<std::string> wanted_files(const FieldCheckpoint& checkpoint) {
   std::set<std::string> wanted(kFields.begin(), kFields.end());
-  for (const fs::path& root : roots) {
-    for (const auto& [name, file] : files_of(root / checkpoint.name)) wanted.insert(name);
+  bool has_clock = false;
+  for (const fs::path& folder : checkpoint.folders) {
+    for (const auto& [name, file] : files_of(folder)) wanted.insert(name);
+    const fs::path clock = folder / kClock;
+    if (!fs::exists(plain_or_compressed(clock))) continue;
+    has_clock = true;
+    // Releases that do not name the files have written this one all the same.
+    std::istringstream names(entry_in(clock, "files").value_or(kBalance));
+    for (std::string name; names >> name;) wanted.insert(name);
   }
-  for (const fs::path& root : roots) {
-    const fs::path folder = root / checkpoint.name;
-    checkpoint.folders.push_back(folder);
-    const auto files = files_of(folder);
+  if (has_clock || wanted.count(kBalance) > 0) wanted.insert(kClock);
+  return wanted;
+}
+
+void judge(FieldCheckpoint& checkpoint) {
+  const std::set<std::string> wanted = wanted_files(checkpoint);
+  checkpoint.of_coupled_run = wanted.count(kClock) > 0;
+  for (const fs::path& folder : checkpoint.folders) {
     for (const std::string& name : wanted) {
-      const auto found = files.find(name);
-      const std::string wrong = found == files.end() ? "is missing" : why_not_whole(found->second);
+      const fs::path file = plain_or_compressed(folder / name);
+      const std::string wrong = fs::exists(file) ? why_not_whole(file) : "is missing";
       if (!wrong.empty()) {
         checkpoint.missing = (folder / name).string() + " " + wrong;
         return;
@@ -95,7 +116,46 @@ void judge(FieldCheckpoint& checkpoint, const std::vector<fs::path>& roots) {
   }
 }
 
-std::vector<FieldCheckpoint> find_fields(const fs::path& case_folder) {
+/// Of the case's folder, or of all processors.
+std::vector<FieldCheckpoint> find_fields_in(const std::vector<fs::path>& roots, bool decomposed) {
+  std::set<std::string> names;
+  for (const fs::path& root : roots) {
+    for (const auto& entry : fs::directory_iterator(root)) {
+      const std::string name = entry.path().filename().string();
+      if (entry.is_directory() && whole_number<double>(name)) names.insert(name);
+    }
+  }
+  std::vector<FieldCheckpoint> found;
+  for (const std::string& name : names) {
+    FieldCheckpoint checkpoint;
+    checkpoint.name = name;
+    checkpoint.decomposed = decomposed;
+    checkpoint.time_s = *whole_number<double>(name);
+    checkpoint.rounding_s = rounding_of(name, checkpoint.time_s);
+    for (const fs::path& root : roots) checkpoint.folders.push_back(root / name);
+    if (const auto exact = number_in(checkpoint.folders.front() / "uniform/time", "value")) {
+      checkpoint.time_s = *exact;
+      checkpoint.rounding_s = 0.0;
+    }
+    checkpoint.particles_ahead_s =
+        number_in(checkpoint.folders.front() / kClock, "particlesAhead").value_or(0.0);
+    judge(checkpoint);
+    found.push_back(std::move(checkpoint));
+  }
+  std::sort(found.begin(), found.end(),
+            [](const FieldCheckpoint& a, const FieldCheckpoint& b) { return a.time_s < b.time_s; });
+  // From the first time of a coupled run on all are of one: where nothing says so any more, that is lost.
+  bool coupled = false;
+  for (FieldCheckpoint& checkpoint : found) {
+    coupled = coupled || checkpoint.of_coupled_run;
+    if (coupled && !checkpoint.of_coupled_run && checkpoint.missing.empty()) {
+      checkpoint.missing = (checkpoint.folders.front() / kClock).string() + " is missing";
+    }
+  }
+  return found;
+}
+
+std::vector<fs::path> processors_of(const fs::path& case_folder) {
   std::vector<fs::path> roots;
   for (const auto& entry : fs::directory_iterator(case_folder)) {
     const std::string name = entry.path().filename().string();
@@ -108,61 +168,21 @@ std::vector<FieldCheckpoint> find_fields(const fs::path& case_folder) {
     return whole_number<int>(a.filename().string().substr(9)) <
            whole_number<int>(b.filename().string().substr(9));
   });
-  if (roots.empty()) roots.push_back(case_folder);
-
-  std::set<std::string> names;
-  for (const fs::path& root : roots) {
-    for (const auto& entry : fs::directory_iterator(root)) {
-      const std::string name = entry.path().filename().string();
-      if (entry.is_directory() && whole_number<double>(name)) names.insert(name);
-    }
-  }
-  std::vector<FieldCheckpoint> found;
-  for (const std::string& name : names) {
-    FieldCheckpoint checkpoint;
-    checkpoint.name = name;
-    checkpoint.time_s = *whole_number<double>(name);
-    checkpoint.rounding_s = rounding_of(name, checkpoint.time_s);
-    const fs::path uniform = roots.front() / name / "uniform";
-    if (const auto exact = number_in(uniform / "time", "value")) {
-      checkpoint.time_s = *exact;
-      checkpoint.rounding_s = 0.0;
-    }
-    checkpoint.particles_ahead_s =
-        number_in(uniform / "couplingClock", "particlesAhead").value_or(0.0);
-    judge(checkpoint, roots);
-    found.push_back(std::move(checkpoint));
-  }
-  std::sort(found.begin(), found.end(),
-            [](const FieldCheckpoint& a, const FieldCheckpoint& b) { return a.time_s < b.time_s; });
-  return found;
+  return roots;
 }
 
-/// The step in the head of a LIGGGHTS restart file. The head is a list of items, each an int that
-/// says which one, then its value: 0 version (text), 1 to 3 sizes of integers (int), 4 unit style
-/// (text), 5 the step (64 bits). A text is its length as int and that many bytes.
-std::optional<std::int64_t> step_in_head(const fs::path& file) {
-  constexpr std::int32_t kLongestText = 1000;
-  std::ifstream in(file, std::ios::binary);
-  const auto read = [&in](auto& value) {
-    in.read(reinterpret_cast<char*>(&value), sizeof(value));
-    return static_cast<bool>(in);
-  };
-  std::int32_t item = 0, value = 0;
-  while (read(item)) {
-    if (item == 0 || item == 4) {
-      if (!read(value) || value < 0 || value > kLongestText) return {};
-      in.ignore(value);
-    } else if (item >= 1 && item <= 3) {
-      if (!read(value)) return {};
-    } else if (item == 5) {
-      std::int64_t step = 0;
-      return read(step) ? std::optional(step) : std::nullopt;
-    } else {
-      return {};
-    }
+/// Those of the processors, and those of the case itself that are newer: a run on one rank has written
+/// them, and left the processors behind. Older ones reconstructPar has made, or are where a run began.
+std::vector<FieldCheckpoint> find_fields(const fs::path& case_folder) {
+  std::vector<FieldCheckpoint> serial = find_fields_in({case_folder}, false);
+  const std::vector<fs::path> processors = processors_of(case_folder);
+  if (processors.empty()) return serial;
+  std::vector<FieldCheckpoint> all = find_fields_in(processors, true);
+  const double newest = all.empty() ? -1.0 : all.back().time_s;
+  for (FieldCheckpoint& one : serial) {
+    if (one.time_s > newest) all.push_back(std::move(one));
   }
-  return {};
+  return all;
 }
 
 std::vector<DemCheckpoint> find_dem(const fs::path& case_folder, const std::string& prefix) {
@@ -176,7 +196,7 @@ std::vector<DemCheckpoint> find_dem(const fs::path& case_folder, const std::stri
     const auto step = whole_number<long>(name.substr(begin.size()));
     if (!step) continue;  // the link restart.latest, or a file still being written
     DemCheckpoint checkpoint{*step, entry.path(), ""};
-    const auto inside = step_in_head(entry.path());
+    const auto inside = read_restart_head(entry.path()).step;
     if (entry.file_size() == 0) {
       checkpoint.missing = checkpoint.file.string() + " is empty";
     } else if (!inside) {
@@ -228,11 +248,14 @@ Checkpoints find_checkpoints(const fs::path& case_folder, std::optional<double> 
   found.dem_prefix = dem_prefix;
   found.fields = find_fields(case_folder);
   found.dem = find_dem(case_folder, dem_prefix);
-  for (const FieldCheckpoint& fields : found.fields) {
-    const DemCheckpoint* dem = partner(fields, found.dem, found.time_step_s);
-    if (fields.missing.empty() && dem != nullptr && dem->missing.empty()) {
-      found.last = CheckpointPair{fields, *dem};
-    }
+  for (auto fields = found.fields.rbegin(); fields != found.fields.rend() && !found.last;
+       ++fields) {
+    const DemCheckpoint* same = partner(*fields, found.dem, found.time_step_s);
+    if (!fields->missing.empty() || same == nullptr) continue;
+    DemCheckpoint& dem = found.dem[static_cast<std::size_t>(same - found.dem.data())];
+    // As long as the file: only of those that may be of use.
+    if (dem.missing.empty()) dem.missing = why_not_whole_restart(dem.file);
+    if (dem.missing.empty()) found.last = CheckpointPair{*fields, dem};
   }
   return found;
 }
@@ -268,6 +291,20 @@ std::vector<std::string> Checkpoints::refused() const {
   lines.reserve(reasons.size());
   for (auto& reason : reasons) lines.push_back(std::move(reason.second));
   return lines;
+}
+
+std::string Checkpoints::stale_processors() const {
+  if (!last || last->fields.decomposed) return "";
+  const FieldCheckpoint* stale = nullptr;
+  for (const FieldCheckpoint& f : fields) {
+    if (f.decomposed) stale = &f;
+  }
+  if (stale == nullptr) return "";
+  return fmt::format(
+      "the fields are those of the case's folder; the {} processor folder(s) beside it end at time "
+      "{}: a run with -parallel would start from there; decompose anew before one: decomposePar "
+      "-force -latestTime",
+      stale->folders.size(), stale->name);
 }
 
 Checkpoints require_checkpoints(const fs::path& case_folder, std::optional<double> time_step_s,

@@ -51,6 +51,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 #include "particleMomentum.H"
 #include "mpiWorld.H"
 #include "breakOff.H"
+#include "writtenFiles.H"
 
 #define CREATE_CONTROL createPimpleAlgorithm.H
 
@@ -72,6 +73,7 @@ int main(int argc, char *argv[])
     #include "createTime.H"
     #include "createMesh.H"
     caseChecks::check(mesh);
+    writtenFiles::checkStart(mesh);
     #include "createPimpleAlgorithm.H"
     #include "createTimeControls.H"
     #include "createFields.H"

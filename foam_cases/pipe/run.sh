@@ -137,6 +137,7 @@ foam_case_couple in.pipe -var length "$(setting pipeLength)" -var rate "$rate_pe
   -var fillCount "$fill_count" -var restart "$([[ $go_on == yes ]] && echo 1 || echo 0)" \
   -var steps "$steps"
 
+foam_case_grain_steps 4e-7 post/particles_*.dump
 counts=post/particle_count.csv
 # A continued run writes the title again.
 awk 'NR == 1 || !/^time_s/' $counts >post/count.part

@@ -3,8 +3,8 @@
 /// What fix couple/bridge keeps in a restart file beside the values of each particle, so that a run
 /// goes on as if it had not stopped.
 ///
-/// Doubles: format, step, ahead_s, number of ranks, number of particles that have vanished and their
-/// numbers, then per rank a count and its numbers.
+/// Doubles: format, step, ahead_s, number of ranks, how many particles have vanished, how many numbers
+/// were counted; the numbers of the former, the latter; then per rank a count and its numbers.
 #pragma once
 
 #include <cstdint>
@@ -21,6 +21,7 @@ struct BridgeCheckpoint {
   std::int64_t step = -1;              ///< of the last checkpoint; -1: none
   double ahead_s = 0.0;                ///< LIGGGHTS's time minus the solver's
   std::vector<double> insertion;       ///< of this rank, insertion_state.h
+  std::vector<double> counted;         ///< massflow_state.h; the same on all ranks
   std::vector<VanishedParticle> gone;  ///< whose rows that exchange had; the same on all ranks
 
   /// Collective; rank 0 writes to the file.

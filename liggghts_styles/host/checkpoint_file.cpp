@@ -21,6 +21,7 @@
 #include "write_restart.h"
 
 #include "host/atom_order.h"
+#include "host/shared_text.h"
 
 namespace powderlink::host {
 
@@ -82,15 +83,6 @@ std::string accept(const std::string& file, const std::string& part,
   }
   fs::rename(part, file, error);
   return error ? problem(file, error.message()) : std::string();
-}
-
-std::string text_of_first_rank(MPI_Comm world, const std::string& text) {
-  int size = static_cast<int>(text.size());
-  MPI_Bcast(&size, 1, MPI_INT, 0, world);
-  std::string shared = text;
-  shared.resize(static_cast<std::size_t>(size));
-  MPI_Bcast(shared.data(), size, MPI_CHAR, 0, world);
-  return shared;
 }
 
 }  // namespace

@@ -13,6 +13,7 @@
 
 #include "host/coupled_world.h"
 #include "host/fluid_relaxation.h"
+#include "host/massflow_state.h"
 #include "host/stop_all.h"
 #include "models/invalid_input.h"
 
@@ -48,6 +49,7 @@ FixCoupleBridge::FixCoupleBridge(LAMMPS* lmp, int narg, char** arg)
 FixCoupleBridge::~FixCoupleBridge() {
   atom->delete_callback(id, 0);
   if (!link_) return;
+  say_where_it_ends();
   try {
     link_->finish();
     note_parted();
@@ -91,6 +93,8 @@ void FixCoupleBridge::setup(int /*vflag*/) {
     stop(problem.what());
   }
   speaks_of_forgotten_ = true;
+  // What is printed before the first step has it already.
+  if (goes_on_) set_massflow_state(lmp, checkpoint_.counted);
 }
 
 void FixCoupleBridge::pre_initial_integrate() {

@@ -81,6 +81,7 @@ class FixCoupleBridge : public LAMMPS_NS::Fix {
   void count_lost_impulse();
   void settle();
   void end_by_solver(LAMMPS_NS::bigint step);
+  void say_where_it_ends() const;
   [[noreturn]] void stop(const std::string& message) const;
   void say(const std::string& message) const;
 
@@ -116,6 +117,7 @@ class FixCoupleBridge : public LAMMPS_NS::Fix {
   LAMMPS_NS::bigint home_step_ = -1;  ///< when the atoms were brought home last
   double dt_s_ = 0.0;                 ///< agreed on
   LAMMPS_NS::bigint next_exchange_ = -1;
+  LAMMPS_NS::bigint last_step_ = -1;  ///< of the last run
   double exchange_s_ = 0.0;
   double impulse_[3] = {0, 0, 0};       ///< of all reactions on this rank since the last exchange
   double lost_impulse_[3] = {0, 0, 0};  ///< on all ranks

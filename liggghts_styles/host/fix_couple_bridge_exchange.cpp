@@ -351,6 +351,16 @@ void FixCoupleBridge::end_by_solver(bigint step) {
   SignalHandler::request_quit = true;
 }
 
+/// The fluid of an interval is computed as a whole, whether the particles go through all of it or not.
+void FixCoupleBridge::say_where_it_ends() const {
+  if (over_ || last_step_ < 0 || last_step_ >= next_exchange_) return;
+  say("WARNING: the coupling ends at step " + std::to_string(last_step_) +
+      ", between the exchanges of steps " + std::to_string(next_exchange_ - options_.every) +
+      " and " + std::to_string(next_exchange_) + ": the gas goes on to the latter, the particles " +
+      "stand; a whole number of exchanges: run so that the last step is a multiple of every " +
+      std::to_string(options_.every) + " from the first exchange on");
+}
+
 void FixCoupleBridge::exchange(bigint step) {
   const double start = MPI_Wtime();
   if (checkpoint_is_due_) go_home(step);

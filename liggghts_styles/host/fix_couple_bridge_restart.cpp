@@ -17,6 +17,7 @@
 
 #include "host/checkpoint_file.h"
 #include "host/insertion_state.h"
+#include "host/massflow_state.h"
 
 namespace powderlink::host {
 
@@ -56,6 +57,7 @@ void FixCoupleBridge::save(bigint step) {
   }
   checkpoint_.step = step;
   checkpoint_.insertion = insertion_state(lmp);
+  checkpoint_.counted = massflow_state(lmp);
   checkpoint_.gone = gone_;
   const bigint counted = update->ntimestep;
   update->ntimestep = step;
@@ -68,6 +70,7 @@ void FixCoupleBridge::save(bigint step) {
 /// The script may end here: nobody would ask for the checkpoint that is due at this moment. Should a
 /// run follow, its first exchange makes it again.
 void FixCoupleBridge::post_run() {
+  last_step_ = update->ntimestep;
   if (over_ || !checkpoint_is_due_ || update->ntimestep != next_exchange_) return;
   settle();
   save(next_exchange_);
@@ -87,6 +90,7 @@ void FixCoupleBridge::go_on(bigint step) {
     if (releases) releases->array_atom[i][kReleaseStep] = kept[FluidProperties::kRelease];
   }
   forces_of_setup_ = false;
+  set_massflow_state(lmp, checkpoint_.counted);
   const std::string unknown = set_insertion_state(lmp, checkpoint_.insertion);
   if (!unknown.empty()) {
     say("random numbers not in the checkpoint, or of another number of ranks: " + unknown);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "host/insertion_state.h"
 
-#include <cstdint>
 #include <iterator>
 #include <map>
 #include <type_traits>
@@ -15,6 +14,7 @@
 #include "random_park.h"
 #include "region.h"
 
+#include "host/owner_mark.h"
 #include "host/private_access.h"
 
 POWDERLINK_PRIVATE_MEMBER(Seed, LAMMPS_NS::Random, seed, int)
@@ -100,13 +100,6 @@ std::map<std::string, Numbers> states_of(LAMMPS* lmp) {
     at = at->second.empty() ? states.erase(at) : std::next(at);
   }
   return states;
-}
-
-/// FNV-1a, 32 bits: a number that a double holds.
-double mark_of(const std::string& owner) {
-  std::uint32_t hash = 2166136261u;
-  for (const char c : owner) hash = (hash ^ static_cast<unsigned char>(c)) * 16777619u;
-  return hash;
 }
 
 }  // namespace

@@ -16,6 +16,7 @@
 #include "host/fix_kat_drop.h"
 #include "host/kat_run_command.h"
 #include "host/private_access.h"
+#include "host/read_restart_command.h"
 #include "plugin/contact_models.h"
 
 using FixCreator = LAMMPS_NS::Fix* (*)(LAMMPS_NS::LAMMPS*, int, char**);
@@ -45,6 +46,7 @@ void register_styles(LAMMPS* lmp) {
   fixes["kat/drop"] = &make_fix<host::FixKatDrop>;
   auto& commands = *(lmp->input->*pointer_to(host::CommandMap()));
   commands["kat/run"] = &host::kat_run_command;
+  commands["read_restart"] = &host::read_restart_command;
 }
 
 const char* help() {

@@ -19,8 +19,8 @@ const char* const kControl =
     "#include \"caseSettings\"\nstartFrom         startTime;\nstartTime         0;\n"
     "stopAt endTime;\n";
 
-/// The head of a LIGGGHTS 3.8 restart file, and some content.
-std::string restart_text(std::int64_t step) {
+/// A LIGGGHTS 3.8 restart file of some ranks with some atoms each, with a middle that nobody reads here.
+std::string restart_text(std::int64_t step, int ranks = 2, int atoms = 3) {
   std::string text;
   const auto add = [&text](auto value) {
     text.append(reinterpret_cast<const char*>(&value), sizeof(value));
@@ -38,7 +38,21 @@ std::string restart_text(std::int64_t step) {
   add_text(4, "si");
   add(std::int32_t{5});
   add(step);
-  return text + std::string(1000, 'x');
+  for (std::int32_t item = 6; item < 22; ++item) {
+    add(item);
+    add(std::int32_t{item == 7 ? ranks : 1});
+  }
+  add_text(22, "granular");
+  add(std::int32_t{23});
+  add(static_cast<std::int64_t>(ranks) * atoms);
+  add(std::int32_t{-1});
+  text += std::string(1000, 'x') + std::string(100, '\0');
+  constexpr int doubles = 17;
+  for (int rank = 0; rank < ranks; ++rank) {
+    add(std::int32_t{doubles * atoms});
+    for (int i = 0; i < doubles * atoms; ++i) add(i % doubles == 0 ? double{doubles} : 0.1 * i);
+  }
+  return text;
 }
 
 class Restart : public ::testing::Test {
@@ -144,8 +158,22 @@ TEST_F(Restart, RestartFilesMayBeginAsTheFixSays) {
 TEST_F(Restart, HalfWrittenOrForeignRestartFiles) {
   write_in(folder_, "post/restart.150000", "");
   expect_last("0.02", 100000, "restart.150000 is empty");
-  write_in(folder_, "post/restart.150000", restart_text(150000).substr(0, 60));
+  const std::string whole = restart_text(150000);
+  for (const std::size_t bytes : {std::size_t{60}, whole.size() / 2, whole.size() - 17 * 3 * 8 - 4,
+                                  whole.size() - 8, whole.size() - 1}) {
+    write_in(folder_, "post/restart.150000", whole.substr(0, bytes));
+    expect_last("0.02", 100000, "breaks off");
+  }
+  // As a file system may leave it: the length is right, the second half is not written.
+  write_in(folder_, "post/restart.150000",
+           whole.substr(0, whole.size() / 2) + std::string(whole.size() - whole.size() / 2, '\0'));
   expect_last("0.02", 100000, "breaks off");
+  write_in(folder_, "post/restart.150000", whole + "x");
+  expect_last("0.02", 100000, "breaks off");
+  for (const auto& [ranks, atoms] : {std::pair(1, 1), std::pair(1, 0), std::pair(3, 0)}) {
+    write_in(folder_, "post/restart.150000", restart_text(150000, ranks, atoms));
+    expect_last("0.03", 150000, "");
+  }
   write_in(folder_, "post/restart.150000", restart_text(100000));
   expect_last("0.02", 100000, "holds step 100000");
   fs::rename(folder_.path() / "post/restart.150000", folder_.path() / "post/restart.150000.part");
@@ -164,11 +192,101 @@ TEST_F(Restart, TimesThatDoNotMeet) {
 
 TEST_F(Restart, ClocksMayDifferByWhatTheSolverHasWritten) {
   // The bed had settled for 0.01 s before: fields of 0.02 s belong to step 150000.
-  write_in(folder_, "0.02/uniform/couplingClock", "FoamFile\n{\n}\nparticlesAhead  0.01;\n");
-  write_in(folder_, "0.03/uniform/couplingClock", "FoamFile\n{\n}\nparticlesAhead  0.01;\n");
+  for (const char* t : {"0.02", "0.03"}) {
+    write_in(folder_, std::string(t) + "/momentumBalance", kClosed);
+    write_in(folder_, std::string(t) + "/uniform/couplingClock",
+             "FoamFile\n{\n}\nparticlesAhead  0.01;\n" + std::string(kClosed));
+  }
   expect_last("0.02", 150000, "fields of time 0.03: no post/restart.200000");
   dem(200000);
   expect_last("0.03", 200000, "");
+}
+
+const char* const kClockFile =
+    "FoamFile\n{\n}\nparticlesAhead  0;\n\nfiles           \"U alphaf k momentumBalance p phi\";\n"
+    "\n// ************************************************************************* //\n";
+
+TEST_F(Restart, AFileThatAllProcessorsMissIsKnown) {
+  const auto root = [](int processor) { return fmt::format("processor{}/", processor); };
+  const auto make = [&] {
+    for (const int k : {1, 2, 3}) {
+      for (const int processor : {0, 1}) {
+        fields(time(k), root(processor));
+        for (const char* more : {"/momentumBalance", "/k"}) {
+          write_in(folder_, root(processor) + time(k) + more, kClosed);
+        }
+        write_in(folder_, root(processor) + time(k) + "/uniform/couplingClock", kClockFile);
+      }
+    }
+  };
+  make();
+  expect_last("0.03", 150000, "");
+  for (const char* lost : {"momentumBalance", "k", "uniform/couplingClock"}) {
+    for (const int processor : {0, 1}) {
+      fs::remove(folder_.path() / (root(processor) + "0.03/" + lost));
+    }
+    expect_last("0.02", 100000, fmt::format("processor0/0.03/{} is missing", lost));
+    make();
+  }
+  // Nothing of it left but the times before, which have them.
+  for (const int processor : {0, 1}) {
+    fs::remove(folder_.path() / (root(processor) + "0.03/momentumBalance"));
+    fs::remove_all(folder_.path() / (root(processor) + "0.03/uniform"));
+  }
+  expect_last("0.02", 100000, "processor0/0.03/uniform/couplingClock is missing");
+  make();
+  fs::remove(folder_.path() / "processor1/0.03/uniform/couplingClock");
+  expect_last("0.02", 100000, "processor1/0.03/uniform/couplingClock is missing");
+  write_in(folder_, "processor1/0.03/uniform/couplingClock", std::string(kClockFile).substr(0, 90));
+  expect_last("0.02", 100000, "processor1/0.03/uniform/couplingClock breaks off");
+  // Compressed, as with writeCompression.
+  fs::remove(folder_.path() / "processor1/0.03/uniform/couplingClock");
+  write_in(folder_, "processor1/0.03/uniform/couplingClock.gz", compressed(kClockFile));
+  expect_last("0.03", 150000, "");
+}
+
+TEST_F(Restart, ClocksOfCompressedRunsAreRead) {
+  std::string ahead = kClockFile;
+  ahead.replace(ahead.find("  0;"), 4, "  0.01;");
+  for (const char* t : {"0.02", "0.03"}) {
+    write_in(folder_, std::string(t) + "/uniform/couplingClock.gz", compressed(ahead));
+    for (const char* more : {"/momentumBalance", "/k"})
+      write_in(folder_, t + std::string(more), kClosed);
+  }
+  expect_last("0.02", 150000, "fields of time 0.03: no post/restart.200000");
+}
+
+TEST_F(Restart, StaleProcessorsBesideNewerTimesOfOneRank) {
+  for (const char* root : {"processor0/", "processor1/"}) fields(time(1), root);
+  const Checkpoints found = find();
+  ASSERT_TRUE(found.last);
+  EXPECT_EQ(found.last->fields.name, "0.03");
+  ASSERT_EQ(found.last->fields.folders.size(), 1U);
+  EXPECT_EQ(found.last->fields.folders[0], folder_.path() / "0.03");
+  for (const char* words : {"2 processor folder(s)", "time 0.01", "decomposePar -force"}) {
+    EXPECT_NE(found.stale_processors().find(words), std::string::npos) << found.stale_processors();
+  }
+  prepare_restart(folder_.path(), found);
+  EXPECT_TRUE(fs::exists(folder_.path() / "processor1/0.01/U"));
+  // The newest of one rank is of no use: it is named, and so is what takes its place.
+  fs::remove(folder_.path() / "0.03/p");
+  expect_last("0.02", 100000, "0.03/p is missing");
+  EXPECT_NE(find().stale_processors(), "");
+  // Those of one rank are all of no use, and named.
+  fs::remove(folder_.path() / "0.02/p");
+  expect_last("0.01", 50000, "0.02/p is missing");
+  EXPECT_EQ(find().last->fields.folders.size(), 2U);
+  EXPECT_EQ(find().stale_processors(), "");
+}
+
+TEST_F(Restart, ReconstructedTimesBesideTheirProcessors) {
+  for (const char* root : {"processor0/", "processor1/"}) {
+    for (const int k : {1, 2, 3}) fields(time(k), root);
+  }
+  const Checkpoints found = find();
+  ASSERT_TRUE(found.last);
+  EXPECT_TRUE(found.last->fields.decomposed);
+  EXPECT_EQ(found.stale_processors(), "");
 }
 
 TEST_F(Restart, RoundedNamesAreReadExactly) {

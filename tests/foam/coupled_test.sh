@@ -320,7 +320,70 @@ FIELDS
       run state="$whole/dem.state.100"
       same_fields "$exchange, restart" "$whole/0.0004" 0.0004 1e-10
       below "$exchange, restart: particles" "$(difference "$whole/dem.state" dem.state)" 1e-10
+      # From the first exchange on, when nothing but the open balance has been taken over.
+      worst=$(awk '/^momentum / { n++; if ($NF > w) w = $NF } END { print n == 10 ? w : "" }' log)
+      below "$exchange, restart: closure of 10 exchanges" "$worst" 1e-10
     done
+    ;;
+  halves)
+    # A time folder that is no whole checkpoint is refused before it is read, by all ranks and once.
+    new_case whole
+    control writeInterval 2e-4
+    run
+    new_case whole_2
+    control writeInterval 2e-4
+    mpi 1 2 || failed "2 ranks: status $?"
+    names=$(sed -n -E 's/^files +"(.*)";$/\1/p' ../whole/0.0002/uniform/couplingClock)
+    [[ $names == "U alphaf momentumBalance p phi" ]] || failed "the checkpoint names '$names'"
+    damaged() {  # what, ranks, the message's text, a command that damages the files of time 0.0002
+      local code=0
+      new_case "damaged_${1// /_}"
+      control startFrom latestTime
+      control writeInterval 2e-4
+      if [[ $2 == 1 ]]; then cp -r ../whole/0.0002 .; else
+        cp -r ../whole_2/processor? .
+        rm -r processor?/0.0004
+      fi
+      eval "$4"
+      limit_s=30 mpi 1 "$2" state="$work/whole/dem.state.100" || code=$?
+      [[ $code != 0 && $code != 124 ]] || failed "$1: exit status $code"
+      error_text "$1" "checkpoint of the fluid at the start, time 0.0002 s" "$3" "powderlink restart CASE"
+      [[ ! -e 0.0004 && ! -e processor0/0.0004 ]] || failed "$1: the run went on"
+    }
+    cut() { truncate -s $(($(stat -c %s "$1")/2)) "$1"; }
+    damaged "no balance" 1 "0.0002/momentumBalance is missing" "rm 0.0002/momentumBalance"
+    damaged "no clock" 1 "0.0002/uniform/couplingClock is missing" "rm 0.0002/uniform/couplingClock"
+    damaged "cut flux" 1 "0.0002/phi breaks off" "cut 0.0002/phi"
+    decomposePar() { :; }  # the processors' folders are there
+    damaged "no balance on 2 ranks" 2 "0.0002/momentumBalance is missing" "rm processor?/0.0002/momentumBalance"
+    damaged "no flux of one rank" 2 "processor1/0.0002/phi is missing" "rm processor1/0.0002/phi"
+    damaged "empty clock of one rank" 2 "processor1/0.0002/uniform/couplingClock breaks off" \
+      ": >processor1/0.0002/uniform/couplingClock"
+    ;;
+  between)
+    # The end between two exchanges is said, before and after; at one nothing is.
+    new_case at_one
+    run
+    ! grep -q 'between two exchanges' log || failed "an end at an exchange is warned of"
+    new_case step_before
+    sed -i 's/endTime 4e-4/endTime 3.9e-4/' system/caseSettings
+    control writeInterval 2e-4
+    control writePrecision 8  # of the log's numbers, too
+    run
+    error_text "endTime between" "Warning: endTime lies between two exchanges" "given:   endTime 0.00039 s" \
+      "set endTime 0.00038 or 0.0004" "the gas is at 0.00039 s, the particles are at 0.00038 s"
+    new_case stopped
+    control runTimeModifiable true
+    control stopAt nextWrite
+    control writeInterval 2e-4
+    run
+    [[ -f dem.state.100 ]] || failed "stopped at a write: no checkpoint"
+    ! grep -q 'between two exchanges' log || failed "stopped at an exchange: a warning"
+    # Steps that do not come to the time of the exchange.
+    new_case steps
+    sed -i -E 's/^couplingInterval.*/couplingTime 2.5e-5;/' constant/couplingProperties
+    refused "couplingTime that is no whole number of steps" "entry deltaT" "with couplingTime 2.5e-05 s" \
+      "set deltaT 8.33333e-06"
     ;;
   moments)
     # A difference of the clocks is kept with the fields; other pairs are refused by both programs.

@@ -72,6 +72,28 @@ void check_schiller_naumann() {
               jump * factor("schiller_naumann", 1000.0, 1.0));
 }
 
+void check_schiller_naumann_slip() {
+  const ParticleState p = steel();
+  for (const double fluid_fraction : {1.0, 0.97, 0.6}) {
+    for (const double of_slip : kReynolds) {
+      const FluidState f = flow_past(p, fluid_fraction * of_slip, fluid_fraction);
+      const double slip = f.velocity_m_s[0];
+      const double cd = std::max(0.44, 24 / of_slip * (1 + 0.15 * std::pow(of_slip, 0.687)));
+      const double expected =
+          cd * kPi / 8 * p.diameter_m * p.diameter_m * f.density_kg_m3 * slip * slip;
+      const double force = make_force("schiller_naumann_slip")->evaluate(f, p).drag_kg_s * slip;
+      EXPECT_NEAR(force, expected, kRounding * expected) << of_slip << " " << fluid_fraction;
+    }
+  }
+  // How much lower the law with alpha_f in Re is at alpha_f 0.6: the figures of the documentation.
+  constexpr double print = 5e-3;
+  for (const auto& [of_slip, lower] : {std::pair{1.0, 0.04}, {10.0, 0.12}, {272.0, 0.26}}) {
+    EXPECT_NEAR(1 - factor("schiller_naumann", 0.6 * of_slip, 0.6) /
+                        factor("schiller_naumann_slip", 0.6 * of_slip, 0.6),
+                lower, print);
+  }
+}
+
 void check_openfoam_sphere() {
   check_against_coefficient("openfoam_sphere", [](double re) {
     return re > 1000 ? 0.424 : 24 / re * (1 + std::pow(re, 2.0 / 3.0) / 6);
@@ -283,6 +305,7 @@ TEST(Drag, OnlySphericityLawsSeeTheShape) {
 namespace test {
 AnalyticChecks drag_checks() {
   return {{"schiller_naumann", check_schiller_naumann},
+          {"schiller_naumann_slip", check_schiller_naumann_slip},
           {"openfoam_sphere", check_openfoam_sphere},
           {"gidaspow", check_gidaspow},
           {"di_felice", check_di_felice},

@@ -83,6 +83,24 @@ TEST(CoupleBridgeEnds, QuitOfAnUncoupledScript) {
     EXPECT_NE(o.output.find("command quit; given: quit soon; allowed: quit [STATUS]"),
               std::string::npos)
         << o.output;
+    }
+  }
+}
+
+TEST(CoupleBridgeEnds, AnEndBetweenTwoExchangesIsSaid) {
+  struct End {
+    const char* run;
+    bool between;
+  };
+  for (const End& end : {End{"run 25\n", true}, End{"run 25\nrun 5\n", false},
+                         End{"run 5\nrun 30\nunfix gas\n", true}}) {
+    const LiggghtsCase c("couple_end_between");
+    const Outcome o = c.couple(good_script(c, end.run), {kWind, 2, 1});
+    EXPECT_EQ(o.status, 0) << o.output;
+    const auto said = o.output.find("between the exchanges of steps ");
+    EXPECT_EQ(said != std::string::npos, end.between) << o.output;
+    if (end.between)
+      EXPECT_NE(o.output.find("0: the gas goes on to the latter", said), std::string::npos);
   }
 }
 

@@ -212,14 +212,19 @@ TEST(CoupleBridgeInsertion, TheSameGrainsCome) {
         "overlapcheck yes all_in yes vel uniform 1. 0. -3. 0.5 0.5 0.5 region pack "
         "particles_in_region 9 ntry_mc 1000\n"
         "fix drain_mesh all mesh/surface file plate.stl type 2 precision 1e-12\n"
-        "fix drain all massflow/mesh mesh drain_mesh vec_side 0. 0. -1. count once delete_atoms "
-        "yes\n"
+        "fix shares all property/atom share scalar yes no no 2.\n"
+        "fix drain all massflow/mesh mesh drain_mesh vec_side 0. 0. -1. sum_property share count "
+        "once "
+        "delete_atoms yes\nthermo_style custom step f_drain[2] f_drain[3]\nthermo 10\n"
         "thermo_modify lost ignore\n";
     script += kGas + dump_lines(10) +
               "variable at equal step\nvariable came equal f_stream[1]+f_rain[1]\n"
               "variable mass equal f_stream[2]+f_rain[2]\nvariable went equal f_drain[6]\n"
-              "variable lost equal f_drain[5]\n"
-              "fix counts all print 10 \"${at} ${came} ${mass} ${went} ${lost}\" file counts.txt "
+              "variable lost equal f_drain[5]\nvariable passed equal f_drain[2]\n"
+              "variable rate equal f_drain[3]\nvariable number_rate equal f_drain[4]\n"
+              "variable sum equal f_drain[7]\n"
+              "fix counts all print 10 \"${at} ${came} ${mass} ${went} ${lost} ${passed} ${rate} "
+              "${number_rate} ${sum}\" file counts.txt "
               "screen no title none\n";
     expect_continuation(c, script, "box=-1e-3,1e-3 wind=1,0,0 stokes=2e-5", ranks, {"all.dump"},
                         "counts.txt");

@@ -95,7 +95,8 @@ void Foam::bridgeMomentum::sayStop()
     {
         return;
     }
-    const bool isWritten = fieldsAreWritten();
+    // What is written between two exchanges is no part of a pair
+    const bool isWritten = fieldsAreWritten() && !(clock_.sinceExchange() > 0);
     if (answerIsDue_)
     {
         link_.sendValues({bridge::Command::stop, isCheckpoint_}, {});
@@ -222,6 +223,24 @@ Foam::bridgeMomentum::bridgeMomentum
         << (settings_.concurrent ? "concurrent" : "staggered") << ", "
         << (settings_.semiImplicit ? "semiImplicit" : "explicit") << nl
         << endl;
+
+    if
+    (
+        settings_.twoWay
+     && link_.peer().clock.continues
+     && !clocksOnDisk_.start().continues
+    )
+    {
+        Info<< "Warning: open balance of momentum at the start" << nl
+            << "    given:   particles that go on from a checkpoint, fields of"
+            << " time " << mesh.time().timeName() << " s that are none: no"
+            << " uniform/couplingClock, no momentumBalance" << nl
+            << "    allowed: both; without them the balance begins at zero, and"
+            << " what was open is lost" << nl
+            << "    to do:   restore both files, or go on from the last complete"
+            << " pair: powderlink restart CASE --prepare; for a new run give fix"
+            << " couple/bridge another ID" << nl << endl;
+    }
 }
 
 
@@ -373,6 +392,16 @@ void Foam::bridgeMomentum::fail(const string& why)
 void Foam::bridgeMomentum::finish()
 {
     timer_.lap(couplingTimer::fluid);
+    if (clock_.sinceExchange() > 0)
+    {
+        // With the answer they have been let go for the whole interval
+        const scalar particles =
+            mesh_.time().value()
+          + (answerIsDue_ ? -clock_.sinceExchange() : clock_.remaining());
+        Info<< "Warning: the run ended between two exchanges: the gas is at "
+            << mesh_.time().value() << " s, the particles are at "
+            << particles << " s of the same clock" << nl << endl;
+    }
     sayStop();
     timer_.report();
 }

@@ -2,6 +2,7 @@
 
 #include "couplingClock.H"
 #include "Time.H"
+#include "writtenFiles.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -18,7 +19,8 @@ Foam::couplingClock::couplingClock(const fvMesh& mesh)
             IOobject::READ_IF_PRESENT,
             IOobject::AUTO_WRITE
         )
-    )
+    ),
+    mesh_(mesh)
 {}
 
 
@@ -37,6 +39,20 @@ powderlink::bridge::Clock Foam::couplingClock::start() const
 void Foam::couplingClock::set(const scalar particlesAhead)
 {
     IOdictionary::set("particlesAhead", particlesAhead);
+}
+
+
+bool Foam::couplingClock::writeData(Ostream& os) const
+{
+    string names;
+    for (const word& name : writtenFiles::needed(mesh_))
+    {
+        names += (names.empty() ? "" : " ") + name;
+    }
+    dictionary all(*this);
+    all.set("files", names);
+    all.write(os, false);
+    return os.good();
 }
 
 

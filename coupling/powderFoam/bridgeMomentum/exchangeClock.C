@@ -35,6 +35,27 @@ Foam::scalar Foam::exchangeClock::interval
             "set couplingTime instead of couplingInterval there"
         );
     }
+    const scalar nSteps = coupling.couplingTime()/time.deltaTValue();
+    if
+    (
+        !adjusted
+     && coupling.couplingTime() > 0
+     && (round(nSteps) < 1 || mag(nSteps - round(nSteps)) > roundOff*nSteps)
+    )
+    {
+        dictionaryChecks::badValue
+        (
+            time.controlDict(),
+            "deltaT",
+            Foam::name(time.deltaTValue()) + " s, with couplingTime "
+          + Foam::name(coupling.couplingTime()) + " s",
+            "a whole number of steps from exchange to exchange, or steps that"
+            " are adjusted",
+            "set deltaT "
+          + Foam::name(coupling.couplingTime()/max(ceil(nSteps), 1.0))
+          + ", or adjustTimeStep yes and maxCo"
+        );
+    }
 
     return
         coupling.couplingTime() > 0
@@ -126,6 +147,41 @@ Foam::label Foam::exchangeClock::checkWriteTimes() const
 }
 
 
+void Foam::exchangeClock::warnOfEnd() const
+{
+    const dictionary& dict = time_.controlDict();
+    if (dict.lookupOrDefault<word>("stopAt", "endTime") != "endTime")
+    {
+        return;
+    }
+    const scalar end = time_.endTime().value();
+    const scalar nIntervals = (end - start_)/interval_;
+    // Never, or so late that steps cannot be counted
+    constexpr scalar never = 1e9;
+    if (!(nIntervals > 0 && nIntervals < never))
+    {
+        return;
+    }
+    // The run ends with the step that is nearest to endTime
+    const bool adjusted = dict.lookupOrDefault("adjustTimeStep", false);
+    const scalar step = adjusted ? 0 : time_.deltaTValue();
+    const scalar off = mag(nIntervals - round(nIntervals))*interval_;
+    if (off <= max(0.5*step, roundOff*max(nIntervals, 1.0)*interval_))
+    {
+        return;
+    }
+    const scalar last = start_ + floor(nIntervals)*interval_;
+    Info<< "Warning: endTime lies between two exchanges" << nl
+        << "    given:   endTime " << end << " s, exchanges every " << interval_
+        << " s from " << start_ << " s on" << nl
+        << "    allowed: a whole number of exchanges: after the last one, at "
+        << last << " s, the gas alone would go on, for " << end - last
+        << " s, and the particles stand" << nl
+        << "    to do:   set endTime " << last << " or " << last + interval_
+        << nl << endl;
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::exchangeClock::exchangeClock
@@ -142,6 +198,7 @@ Foam::exchangeClock::exchangeClock
     offset_(0)
 {
     checkPurge();
+    warnOfEnd();
 }
 
 
@@ -151,6 +208,12 @@ Foam::scalar Foam::exchangeClock::remaining() const
 {
     const scalar time = start_ + nExchanges_*interval_ - time_.value();
     return time > roundOff*interval_ ? time : 0;
+}
+
+
+Foam::scalar Foam::exchangeClock::sinceExchange() const
+{
+    return nExchanges_ && remaining() > 0 ? interval_ - remaining() : 0;
 }
 
 

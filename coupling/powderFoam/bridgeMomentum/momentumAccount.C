@@ -35,11 +35,12 @@ void Foam::momentumAccount::countImpulses()
     if (clock_.nExchanges() > 0)
     {
         toParticles_ += impulse;
-        sumMagImpulse_ += magImpulse;
+        scale_ += magImpulse;
     }
     else if (isRestart_)
     {
         balanceAtStart_ -= impulse;
+        scale_ += magImpulse;
     }
 }
 
@@ -111,7 +112,11 @@ Foam::momentumAccount::momentumAccount
     toFluid_(Zero),
     toParticles_(Zero),
     balanceAtStart_(open()),
-    sumMagImpulse_(0)
+    scale_
+    (
+        settings_.fluid.rho
+       *gSum((mag(balance_.field())*mesh_.V().field())())
+    )
 {}
 
 
@@ -285,7 +290,7 @@ void Foam::momentumAccount::report() const
     Info<< "momentum [N s]: fluid " << toFluid_
         << " particles " << toParticles_
         << " open " << stillOpen
-        << " closure " << mag(wrong)/max(sumMagImpulse_, VSMALL) << endl;
+        << " closure " << mag(wrong)/max(scale_, VSMALL) << endl;
 }
 
 

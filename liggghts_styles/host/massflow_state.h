@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file massflow_state.h
+/// What fix massflow/mesh has counted, and its restart file forgets: the number of particles, the sum of
+/// the property, and the interval of its rates, which also every look at them changes. Mass and what was
+/// deleted it keeps by itself, and it tells each particle's side of the mesh by a property of the
+/// particle.
+#pragma once
+
+#include <vector>
+
+#include "lammps.h"
+
+namespace powderlink::host {
+
+/// Per fix: a mark of its ID, then its numbers. The same on all ranks.
+std::vector<double> massflow_state(LAMMPS_NS::LAMMPS* lmp);
+
+/// Puts back what massflow_state() gave to the fixes that are still there.
+void set_massflow_state(LAMMPS_NS::LAMMPS* lmp, const std::vector<double>& state);
+
+}  // namespace powderlink::host

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file read_restart_command.h
+/// `read_restart FILE` of LIGGGHTS, once it is known that the file is whole (files/restart_file.h). Of a
+/// file that breaks off LIGGGHTS itself makes particles of what is in its memory, or waits for ever.
+#pragma once
+
+namespace LAMMPS_NS {
+class LAMMPS;
+}
+
+namespace powderlink::host {
+
+void read_restart_command(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg);
+
+}  // namespace powderlink::host
