@@ -14,6 +14,7 @@
 #include <sstream>
 
 #include "analysis/flow/dem_time_step.h"
+#include "analysis/flow/particle_clock.h"
 #include "analysis/restart/field_file.h"
 #include "models/invalid_input.h"
 
@@ -46,21 +47,6 @@ double rounding_of(const std::string& name, double time_s) {
   const auto shown = std::count_if(first, number.end(), [](char c) { return c != '.'; });
   const double digits = std::max(kDigits, static_cast<double>(shown));
   return 0.5 * std::pow(10.0, std::floor(std::log10(std::abs(time_s))) + 1.0 - digits);
-}
-
-/// A number of a dictionary, as `value 0.0125;`.
-std::optional<double> number_in(const fs::path& file, const std::string& name) {
-  std::ifstream in(file);
-  std::string key, value;
-  std::string line;
-  while (std::getline(in, line)) {
-    std::istringstream words(line);
-    if (words >> key >> value && key == name && value.back() == ';') {
-      value.pop_back();
-      return whole_number<double>(value);
-    }
-  }
-  return {};
 }
 
 /// Field files in a time folder, without the ending .gz.
@@ -117,19 +103,20 @@ std::vector<FieldCheckpoint> find_fields(const fs::path& case_folder) {
       if (entry.is_directory() && whole_number<double>(name)) names.insert(name);
     }
   }
+  const auto clocks = read_written_clocks(case_folder, roots.front(), {names.begin(), names.end()});
   std::vector<FieldCheckpoint> found;
   for (const std::string& name : names) {
     FieldCheckpoint checkpoint;
     checkpoint.name = name;
     checkpoint.time_s = *whole_number<double>(name);
     checkpoint.rounding_s = rounding_of(name, checkpoint.time_s);
-    const fs::path uniform = roots.front() / name / "uniform";
-    if (const auto exact = number_in(uniform / "time", "value")) {
-      checkpoint.time_s = *exact;
-      checkpoint.rounding_s = 0.0;
+    if (const auto clock = clocks.find(name); clock != clocks.end()) {
+      checkpoint.particles_ahead_s = clock->second.particles_ahead_s;
+      if (clock->second.time_s) {
+        checkpoint.time_s = *clock->second.time_s;
+        checkpoint.rounding_s = 0.0;
+      }
     }
-    checkpoint.particles_ahead_s =
-        number_in(uniform / "couplingClock", "particlesAhead").value_or(0.0);
     judge(checkpoint, roots);
     found.push_back(std::move(checkpoint));
   }
