@@ -30,21 +30,22 @@ struct Options {
   bool no_figures = false;
 };
 
-/// The slice with the smallest 90 % width in x: where a jet is focused.
+/// The slice with the smallest 90 % width across: where a jet is focused.
 std::string focus(const FlowStatistics& p) {
+  const char axis = p.window().axis.letter(), side = "xyz"[p.window().axis.across()];
   constexpr std::uint64_t kEnough = 100;  // particles, for a 90 % interval
   const SliceProfile* best = nullptr;
   long place = 0;
   for (const auto& [k, slice] : p.profile()) {
-    if (slice.x.count() < kEnough) continue;
-    if (best == nullptr || slice.x.central_width(0.9) < best->x.central_width(0.9)) {
+    if (slice.across.count() < kEnough) continue;
+    if (best == nullptr || slice.across.central_width(0.9) < best->across.central_width(0.9)) {
       best = &slice;
       place = k;
     }
   }
   if (best == nullptr) return "";
-  return fmt::format("narrowest 90 % interval in x: {:.4g} mm at z = {:.4g} mm\n",
-                     1e3 * best->x.central_width(0.9), 1e3 * p.centre_m(place));
+  return fmt::format("narrowest 90 % interval in {}: {:.4g} mm at {} = {:.4g} mm\n", side,
+                     1e3 * best->across.central_width(0.9), axis, 1e3 * p.centre_m(place));
 }
 
 std::string table(const FlowReport& report) {
@@ -86,7 +87,7 @@ void run(const Options& o) {
   }
   if (!o.json.empty()) require_folder_of(o.json);
   FlowOptions options = o.flow;
-  if (!o.slice.empty()) options.slice_m = Interval{o.slice[0], o.slice[1]};
+  if (!o.slice.empty()) options.flow_slice_m = Interval{o.slice[0], o.slice[1]};
   const FlowReport report = analyse_flow(folder, options, meter());
 
   const fs::path out = o.out.empty() ? folder / "flow" : fs::path(o.out);
@@ -105,9 +106,9 @@ void run(const Options& o) {
 
   fmt::print("{}", table(report));
   if (report.slice_m) {
-    fmt::print("solids flow through z = {:g} to {:g} m, {} states from {:g} s on\n",
-               report.slice_m->from, report.slice_m->to, report.times_s.size(),
-               report.times_s.front());
+    fmt::print("solids flow along {} through {} = {:g} to {:g} m, {} states from {:g} s on\n",
+               report.window().axis.name(), report.window().axis.letter(), report.slice_m->from,
+               report.slice_m->to, report.times_s.size(), report.times_s.front());
   }
   fmt::print("{}tables{} are in {}\n", focus(report.particles), o.no_figures ? "" : " and figures",
              out.string());
@@ -124,21 +125,26 @@ void add_flow_command(CLI::App& app) {
       ->required();
   c->add_option("--json", o->json, "write the numbers to this file too");
   c->add_option("--out", o->out, "folder of tables and figures (default: flow/ in the case)");
-  c->add_option("--from", flow.window.from_s, "the flow is established from this time on [s]")
+  c->add_option("--from", flow.from_s, "the flow is established from this time of the gas on [s]")
       ->capture_default_str();
-  c->add_option("--from-z", flow.window.from_z_m, "... and beyond this place on z [m]")
-      ->capture_default_str();
-  c->add_option("--to-z", flow.window.to_z_m, "... up to this one [m] (default: the end)");
+  c->add_option("--axis", flow.axis,
+                "x, y, z, or -x, -y, -z for the way against it (default: where probes, mesh and "
+                "particles point)");
+  c->add_option("--from-z,--from-place", flow.from_m,
+                "... and from this place on that axis on [m] (default: the last third of the "
+                "channel)");
+  c->add_option("--to-z,--to-place", flow.to_m, "... up to this one [m]");
   c->add_option("--slice", o->slice,
-                "the solids flow is taken between these two places on z [m] (default: 10 mm in the "
-                "middle of the established part)")
+                "the solids flow is taken between these two places on the axis [m] (default: 10 mm "
+                "in the middle of the established part)")
       ->expected(2);
-  c->add_option("--slice-thickness", flow.window.slice_m, "slices of all profiles [m]")
-      ->capture_default_str();
+  c->add_option("--slice-thickness", flow.slice_m,
+                "slices of all profiles [m] (default: 1 mm, or a twentieth of a shorter channel)");
   c->add_option("--average", flow.average_s, "window of the moving average of the solids flow [s]")
       ->capture_default_str();
   c->add_option("--dt", flow.time_step_s,
                 "DEM time step [s] (default: from the dumps, log.liggghts or in.*)");
+  c->add_option("--log", flow.log, "output of powderFoam (default: the newest in the case)");
   c->add_option("--density", flow.density_kg_m3,
                 "density of the gas [kg/m^3] (default: rho of constant/transportProperties)");
   c->add_option("--probes", flow.probes, "set of pressure probes, a folder of postProcessing/");

@@ -6,8 +6,11 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <tuple>
 
-#include "analysis/flow/dem_time_step.h"
+#include "analysis/flow/flow_channel.h"
+#include "analysis/flow/particle_clock.h"
+#include "analysis/foam/foam_files.h"
 #include "models/invalid_input.h"
 
 namespace powderlink::analysis {
@@ -17,24 +20,57 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr double kStillFilling = 0.05;  // change of the number of particles over the run's end
+constexpr double kThickest_m = 1e-3;    // of a slice that nobody asked for
+constexpr double kFewestSlices = 20.0;  // of a channel, by such slices
+
+FlowWindow window_of(const FlowChannel& channel, const FlowOptions& options) {
+  FlowWindow window;
+  window.from_s = options.from_s;
+  window.axis = channel.axis;
+  if (!options.from_m && !options.to_m) {
+    std::tie(window.from_m, window.to_m) = channel.developed_m();
+  }
+  window.from_m = options.from_m.value_or(window.from_m);
+  window.to_m = options.to_m.value_or(window.to_m);
+  window.slice_m = kThickest_m;
+  if (const auto stretch = channel.stretch_m(); stretch && stretch->second > stretch->first) {
+    window.slice_m = std::min(kThickest_m, (stretch->second - stretch->first) / kFewestSlices);
+  }
+  window.slice_m = options.slice_m.value_or(window.slice_m);
+  return window;
+}
+
+/// `z >= 0.2 m`, in words.
+std::string text_of(const FlowWindow& window) {
+  const char letter = window.axis.letter();
+  const bool from = std::isfinite(window.from_m), to = std::isfinite(window.to_m);
+  if (from && to) return fmt::format("{} = {:g} to {:g} m", letter, window.from_m, window.to_m);
+  if (from) return fmt::format("{} >= {:g} m", letter, window.from_m);
+  if (to) return fmt::format("{} <= {:g} m", letter, window.to_m);
+  return fmt::format("all {}", letter);
+}
 
 void read_particles(const fs::path& folder, const std::vector<fs::path>& dumps, FlowReport& report,
                     const FlowProgress& progress) {
-  std::optional<double> dt_s;
+  ParticleClock clock(folder, report.options.time_step_s);
+  if (!clock.known() && foam_file_exists(folder / "constant" / "couplingProperties")) {
+    report.notes.emplace_back(
+        "powderFoam has not written fields yet: times are those of LIGGGHTS, which is ahead of the "
+        "gas if it ran before the first exchange; wait for the first time folder in that case");
+  }
   std::size_t done = 0;
   for (const fs::path& dump : dumps) {
     read_dump(dump, [&](const DumpState& state) {
-      if (!state.time_s && !dt_s) dt_s = dem_time_step_s(folder, report.options.time_step_s);
-      report.particles.add(state.time_s ? *state.time_s : static_cast<double>(state.step) * *dt_s,
-                           state);
+      report.particles.add(clock.gas_time_s(state), state);
     });
     if (progress) progress(++done, dumps.size());
   }
 }
 
 void judge_particles(FlowReport& report) {
-  const FlowStatistics& p = report.particles;
+  FlowStatistics& p = report.particles;
   const FlowWindow& window = p.window();
+  const bool chosen = report.options.from_m || report.options.to_m;
   report.times_s = p.established_times_s();
   if (report.times_s.empty()) {
     throw InvalidInput("option --from", fmt::format("{:g} s", window.from_s),
@@ -54,15 +90,28 @@ void judge_particles(FlowReport& report) {
           half.particles, half.time_s, last.particles, last.time_s));
     }
   }
-  if (!p.velocity_mean_m_s()) {
-    report.notes.push_back(fmt::format(
-        "no particle velocity: no particle beyond z = {:g} m; give --from-z", window.from_z_m));
+  const bool part = std::isfinite(window.from_m) || std::isfinite(window.to_m);
+  if (part && !chosen && !p.velocity_mean_m_s()) {
+    const std::string downstream = text_of(window);
+    p.widen();
+    if (p.velocity_mean_m_s()) {
+      report.notes.push_back(
+          fmt::format("no particle came to {}, the last third of the channel: all of it counts; "
+                      "give --from-z and --to-z for a part",
+                      downstream));
+    }
   }
-  report.slice_m = p.flow_slice_m(report.options.slice_m);
+  if (!p.velocity_mean_m_s()) {
+    report.notes.push_back(p.states().back().particles == 0 && p.profile().empty()
+                               ? "no particle velocity: no particle in any dump from --from on"
+                               : fmt::format("no particle velocity: no particle at {}; give "
+                                             "--from-z or --to-z",
+                                             text_of(window)));
+  }
+  report.slice_m = p.flow_slice_m(report.options.flow_slice_m);
   if (!report.slice_m) {
-    report.notes.push_back(
-        fmt::format("no solids flow: no particle beyond z = {:g} m; give --slice or --from-z",
-                    window.from_z_m));
+    report.notes.push_back(fmt::format(
+        "no solids flow: no particle at {}; give --slice, --from-z or --to-z", text_of(window)));
     return;
   }
   report.flow_kg_s = p.solids_flow_kg_s(*report.slice_m);
@@ -102,15 +151,14 @@ void read_gas(const fs::path& folder, FlowReport& report) {
         "no pressure in Pa: constant/transportProperties has no rho; give --density kg/m^3");
     return;
   }
-  const FlowWindow& window = report.options.window;
+  const FlowWindow& window = report.window();
   const auto in_window = [&](const PressureProfile& profile) {
-    return std::count_if(profile.probes.begin(), profile.probes.end(), [&](const ProbeMean& p) {
-      return p.z_m >= window.from_z_m && p.z_m <= window.to_z_m;
-    });
+    return std::count_if(profile.probes.begin(), profile.probes.end(),
+                         [&](const ProbeMean& p) { return window.holds(p.place_m); });
   };
   const std::string& wanted = report.options.probes;
   for (const std::string& set : wanted.empty() ? sets : std::vector<std::string>{wanted}) {
-    PressureProfile profile = read_pressure(folder, set, *density, window.from_s);
+    PressureProfile profile = read_pressure(folder, set, *density, window.from_s, window.axis);
     if (!report.pressure || in_window(profile) > in_window(*report.pressure)) {
       report.pressure = std::move(profile);
     }
@@ -121,12 +169,12 @@ void read_gas(const fs::path& folder, FlowReport& report) {
         "chooses another",
         sets.size(), report.pressure->name));
   }
-  report.slope = fit_slope(*report.pressure, window.from_z_m, window.to_z_m);
+  report.slope = fit_slope(*report.pressure, window.from_m, window.to_m, window.axis);
   if (!report.slope) {
     report.notes.push_back(
-        fmt::format("no pressure slope: the probes '{}' have no two places in z = {:g} to {:g} m "
-                    "with values after {:g} s; give --from-z, --to-z or --from",
-                    report.pressure->name, window.from_z_m, window.to_z_m, window.from_s));
+        fmt::format("no pressure slope: the probes '{}' have no two places at {} with values after "
+                    "{:g} s; give --from-z, --to-z or --from",
+                    report.pressure->name, text_of(window), window.from_s));
   }
 }
 
@@ -141,14 +189,14 @@ std::string pressure_table(const FlowReport& report) {
     text += fmt::format("# slope {:.9g} Pa/m, r squared {:.6f}, {} probes\n",
                         report.slope->slope_Pa_m, report.slope->r_squared, report.slope->probes);
   }
-  text += "z_m,pressure_Pa,fit_Pa\n";
-  const FlowWindow& window = report.options.window;
+  const FlowWindow& window = report.window();
+  text += fmt::format("{}_m,pressure_Pa,fit_Pa\n", window.axis.letter());
   for (const ProbeMean& probe : report.pressure->probes) {
     std::optional<double> fit;
-    if (report.slope && probe.z_m >= window.from_z_m && probe.z_m <= window.to_z_m) {
-      fit = report.slope->intercept_Pa - report.slope->slope_Pa_m * probe.z_m;
+    if (report.slope && window.holds(probe.place_m)) {
+      fit = report.slope->intercept_Pa - window.axis.way * report.slope->slope_Pa_m * probe.place_m;
     }
-    text += fmt::format("{:.9g},{:.9g},{}\n", probe.z_m, probe.pressure_Pa, cell(fit));
+    text += fmt::format("{:.9g},{:.9g},{}\n", probe.place_m, probe.pressure_Pa, cell(fit));
   }
   return text;
 }
@@ -157,13 +205,14 @@ std::string flow_table(const FlowReport& report) {
   std::string text;
   if (report.slice_m) {
     text = fmt::format(
-        "# sum(m v)/dz in the slice z = {:.9g} to {:.9g} m; moving average over {:g} s\n",
-        report.slice_m->from, report.slice_m->to, report.options.average_s);
+        "# sum(m v)/d{0} in the slice {0} = {1:.9g} to {2:.9g} m; moving average over {3:g} s\n",
+        report.window().axis.letter(), report.slice_m->from, report.slice_m->to,
+        report.options.average_s);
   }
   text += "time_s,particle_count,solids_flow_kg_s,moving_average_kg_s\n";
   std::size_t i = 0;
   for (const auto& state : report.particles.states()) {
-    const bool counts = state.time_s >= report.options.window.from_s && i < report.flow_kg_s.size();
+    const bool counts = state.time_s >= report.window().from_s && i < report.flow_kg_s.size();
     text += fmt::format("{:.9g},{},{},{}\n", state.time_s, state.particles,
                         cell(counts ? std::optional(report.flow_kg_s[i]) : std::nullopt),
                         cell(counts ? report.average_kg_s[i] : std::nullopt));
@@ -173,11 +222,13 @@ std::string flow_table(const FlowReport& report) {
 }
 
 std::string height_table(const FlowStatistics& p) {
-  std::string text = "z_m,count,y_05_m,y_25_m,y_50_m,y_75_m,y_95_m\n";
+  const FlowAxis& axis = p.window().axis;
+  std::string text = fmt::format("{0}_m,count,{1}_05_m,{1}_25_m,{1}_50_m,{1}_75_m,{1}_95_m\n",
+                                 axis.letter(), "xyz"[axis.up()]);
   for (const auto& [k, slice] : p.profile()) {
-    text += fmt::format("{:.9g},{}", p.centre_m(k), slice.y.count());
+    text += fmt::format("{:.9g},{}", p.centre_m(k), slice.up.count());
     for (const double share : {0.05, 0.25, 0.5, 0.75, 0.95}) {
-      text += fmt::format(",{:.6g}", slice.y.quantile(share));
+      text += fmt::format(",{:.6g}", slice.up.quantile(share));
     }
     text += "\n";
   }
@@ -186,7 +237,8 @@ std::string height_table(const FlowStatistics& p) {
 
 std::string velocity_table(const FlowStatistics& p) {
   namespace acc = boost::accumulators;
-  std::string text = "z_m,count,velocity_mean_m_s,velocity_std_m_s\n";
+  std::string text =
+      fmt::format("{}_m,count,velocity_mean_m_s,velocity_std_m_s\n", p.window().axis.letter());
   for (const auto& [k, slice] : p.profile()) {
     text += fmt::format("{:.9g},{},{:.6g},{:.6g}\n", p.centre_m(k), acc::count(slice.velocity_m_s),
                         acc::mean(slice.velocity_m_s),
@@ -196,14 +248,16 @@ std::string velocity_table(const FlowStatistics& p) {
 }
 
 std::string width_table(const FlowStatistics& p) {
-  std::string text =
+  const FlowAxis& axis = p.window().axis;
+  std::string text = fmt::format(
       "# central intervals that hold 50, 90 and 99 % of the particles of a slice\n"
-      "z_m,count,x_50_m,x_90_m,x_99_m,y_50_m,y_90_m,y_99_m\n";
+      "{0}_m,count,{1}_50_m,{1}_90_m,{1}_99_m,{2}_50_m,{2}_90_m,{2}_99_m\n",
+      axis.letter(), "xyz"[axis.across()], "xyz"[axis.up()]);
   for (const auto& [k, slice] : p.profile()) {
-    text += fmt::format("{:.9g},{}", p.centre_m(k), slice.x.count());
-    for (const auto* axis : {&slice.x, &slice.y}) {
+    text += fmt::format("{:.9g},{}", p.centre_m(k), slice.across.count());
+    for (const auto* side : {&slice.across, &slice.up}) {
       for (const double share : {0.5, 0.9, 0.99}) {
-        text += fmt::format(",{:.6g}", axis->central_width(share));
+        text += fmt::format(",{:.6g}", side->central_width(share));
       }
     }
     text += "\n";
@@ -213,7 +267,7 @@ std::string width_table(const FlowStatistics& p) {
 
 /// All slices at all times, empty ones too: a figure needs the whole rectangle.
 std::string concentration_table(const FlowStatistics& p) {
-  std::string text = "time_s,z_m,number_per_m,mass_kg_m\n";
+  std::string text = fmt::format("time_s,{}_m,number_per_m,mass_kg_m\n", p.window().axis.letter());
   long first = 0, last = -1;
   for (const auto& state : p.states()) {
     if (state.slices.empty()) continue;
@@ -242,7 +296,7 @@ fs::path find_coupled_case(const fs::path& folder) {
   }
   const auto has_run = [](const fs::path& place) {
     return fs::exists(place / "post") || fs::exists(place / "postProcessing") ||
-           fs::exists(place / "log.powderFoam") || fs::exists(place / "log.mpirun");
+           !find_solver_log(place).empty();
   };
   const fs::path inside = folder / "results" / "case";
   return !has_run(folder) && has_run(inside) ? inside : folder;
@@ -254,7 +308,6 @@ FlowReport analyse_flow(const fs::path& folder, const FlowOptions& options,
     throw InvalidInput("option --average", number_text(options.average_s) + " s", "above 0 s",
                        "give the window of the moving average, such as 2e-3");
   }
-  FlowReport report(options);
   std::vector<fs::path> dumps;
   std::string no_dumps;
   try {
@@ -262,29 +315,38 @@ FlowReport analyse_flow(const fs::path& folder, const FlowOptions& options,
   } catch (const InvalidInput& e) {
     no_dumps = e.what();
   }
-  read_gas(folder, report);
+  FlowReport report(
+      options,
+      window_of(look_at_channel(folder, dumps.empty() ? DumpState{} : read_last_state(dumps.back()),
+                                options.axis, options.probes),
+                options));
   if (!dumps.empty()) {
     read_particles(folder, dumps, report, progress);
     judge_particles(report);
-  } else if (!report.pressure) {
+  }
+  read_gas(folder, report);
+  if (dumps.empty() && !report.pressure) {
     throw InvalidInput("analysing " + folder.string(),
                        "neither particles in post/particles_*.dump nor pressure in Pa",
                        "the folder of a coupled run",
                        "give the folder in which the run happened; notes: " +
                            (report.notes.empty() ? "none" : report.notes.back()));
-  } else {
-    report.notes.push_back("no particles: " + no_dumps);
   }
-  report.cost = read_solver_cost(folder, options.window.from_s);
+  if (dumps.empty()) report.notes.push_back("no particles: " + no_dumps);
+  report.cost = read_solver_cost(folder, options.from_s, options.log);
   if (!report.cost.wall_s_per_simulated_ms) {
     report.notes.push_back(
-        "no wall clock: neither log.powderFoam nor log.mpirun has two times with ClockTime after "
-        "--from");
+        report.cost.log.empty()
+            ? "no wall clock: no log of powderFoam in the case; give --log FILE"
+            : fmt::format("no wall clock: {} has no two times with ClockTime after --from",
+                          report.cost.log.string()));
   } else if (report.cost.by_processor_time) {
     report.notes.push_back("the run is short: cost is processor time, not wall clock");
   }
   if (!report.cost.coupling_share_percent) {
-    report.notes.push_back("no coupling share: the solver's log has no line `coupling share: X %`");
+    report.notes.push_back(
+        "no coupling share: no log of powderFoam with a line `coupling share: X %`, which comes at "
+        "the end of a run");
   }
   return report;
 }

@@ -19,16 +19,23 @@
 namespace powderlink::analysis {
 
 struct FlowOptions {
-  FlowWindow window;
-  double average_s = 2e-3;              ///< window of the moving average
-  std::optional<Interval> slice_m;      ///< of the solids flow
-  std::optional<double> time_step_s;    ///< of the DEM
-  std::optional<double> density_kg_m3;  ///< of the gas
+  double from_s = 0.0;                 ///< established from here on
+  std::optional<std::string> axis;     ///< x, -x, ...; default: flow_channel.h
+  std::optional<double> from_m, to_m;  ///< places on the axis; default: flow_channel.h
+  std::optional<double>
+      slice_m;              ///< thickness of the slices; default: 1 mm, or less where it is short
+  double average_s = 2e-3;  ///< window of the moving average
+  std::optional<Interval> flow_slice_m;  ///< of the solids flow
+  std::optional<double> time_step_s;     ///< of the DEM
+  std::optional<double> density_kg_m3;   ///< of the gas
   std::string probes;  ///< set of probes; empty: the one with the most in the window
+  std::optional<std::filesystem::path> log;  ///< of powderFoam
 };
 
 struct FlowReport {
-  explicit FlowReport(const FlowOptions& options) : options(options), particles(options.window) {}
+  FlowReport(const FlowOptions& options, const FlowWindow& window)
+      : options(options), particles(window) {}
+  const FlowWindow& window() const { return particles.window(); }
 
   FlowOptions options;
   FlowStatistics particles;
@@ -48,6 +55,7 @@ using FlowProgress = std::function<void(std::size_t done, std::size_t all)>;
 /// The case itself, or its results/case where foam_cases/*/run.sh leave what they ran.
 std::filesystem::path find_coupled_case(const std::filesystem::path& folder);
 
+/// When no particle is ever in the part of the channel that counts by default, all of it does.
 /// Throws for damaged files and for a case with neither particles nor pressure.
 FlowReport analyse_flow(const std::filesystem::path& case_folder, const FlowOptions& options,
                         const FlowProgress& progress = {});
@@ -55,7 +63,7 @@ FlowReport analyse_flow(const std::filesystem::path& case_folder, const FlowOpti
 /// Nine numbers, null for what is missing.
 std::string flow_json(const FlowReport& report);
 
-/// File name and content: pressure, solids_flow, height, velocity, width, concentration.
+/// File name and content (columns are named by the axes, here z, x, y): pressure, solids_flow, height, velocity, width, concentration.
 std::vector<std::pair<std::string, std::string>> flow_tables(const FlowReport& report);
 
 }  // namespace powderlink::analysis

@@ -19,8 +19,8 @@ constexpr double kClassesPerRadius = 64.0;  // percentiles to 1.6 % of a particl
 constexpr double kMostSlices = 1e6;
 constexpr double kRounding = 1e-6;  // of a slice: 0.2/0.001 is not quite 200
 
-long slice_of(double z_m, double slice_m, double rounding = 0.0) {
-  return static_cast<long>(std::floor(z_m / slice_m + rounding));
+long slice_of(double place_m, double slice_m, double rounding = 0.0) {
+  return static_cast<long>(std::floor(place_m / slice_m + rounding));
 }
 
 }  // namespace
@@ -31,8 +31,10 @@ FlowStatistics::FlowStatistics(const FlowWindow& window) : window_(window) {
                        "correct the option; lengths are in metres, times in seconds");
   };
   if (!std::isfinite(window.from_s)) refuse("--from", window.from_s, "a time in seconds");
-  if (!std::isfinite(window.from_z_m)) refuse("--from-z", window.from_z_m, "a place in metres");
-  if (!(window.to_z_m > window.from_z_m)) refuse("--to-z", window.to_z_m, "above --from-z");
+  if (!(window.from_m < std::numeric_limits<double>::infinity())) {
+    refuse("--from-z", window.from_m, "a place in metres");
+  }
+  if (!(window.to_m > window.from_m)) refuse("--to-z", window.to_m, "above --from-z");
   if (!(window.slice_m > 0.0 && std::isfinite(window.slice_m))) {
     refuse("--slice-thickness", window.slice_m, "a length above 0 m");
   }
@@ -51,26 +53,36 @@ void FlowStatistics::add(double time_s, const DumpState& dumped) {
     class_width_m_ = sum / static_cast<double>(dumped.particles.size()) / kClassesPerRadius;
   }
   State state{time_s, dumped.particles.size(), {}};
+  const FlowAxis& axis = window_.axis;
   for (const DumpParticle& p : dumped.particles) {
-    if (!(std::abs(p.z_m) < kMostSlices * window_.slice_m)) {
+    const Place place = place_of(p);
+    const double along_m = axis.place_m(place), v_m_s = axis.velocity_m_s(p);
+    if (!(std::abs(along_m) < kMostSlices * window_.slice_m)) {
       throw InvalidInput("place of particle " + std::to_string(p.id),
-                         fmt::format("z = {:g} m", p.z_m),
+                         fmt::format("{} = {:g} m", axis.letter(), along_m),
                          fmt::format("at most {:g} slices of {:g} m", kMostSlices, window_.slice_m),
                          "give a larger --slice-thickness, or look for a particle that flew away");
     }
-    const long k = slice_of(p.z_m, window_.slice_m);
+    const long k = slice_of(along_m, window_.slice_m);
     SliceState& slice = state.slices[k];
     ++slice.count;
     slice.mass_kg += p.mass_kg;
-    slice.momentum_kg_m_s += p.mass_kg * p.vz_m_s;
+    slice.momentum_kg_m_s += p.mass_kg * v_m_s;
     if (!established) continue;
     SliceProfile& profile = profile_.try_emplace(k, class_width_m_).first->second;
-    profile.x.add(p.x_m);
-    profile.y.add(p.y_m);
-    profile.velocity_m_s(p.vz_m_s);
-    if (p.z_m >= window_.from_z_m && p.z_m <= window_.to_z_m) velocity_(p.vz_m_s);
+    profile.across.add(place.at(axis.across()));
+    profile.up.add(place.at(axis.up()));
+    profile.velocity_m_s(v_m_s);
+    velocity_everywhere_(v_m_s);
+    if (window_.holds(along_m)) velocity_(v_m_s);
   }
   states_.push_back(std::move(state));
+}
+
+void FlowStatistics::widen() {
+  window_.from_m = -std::numeric_limits<double>::infinity();
+  window_.to_m = std::numeric_limits<double>::infinity();
+  velocity_ = velocity_everywhere_;
 }
 
 std::optional<Interval> FlowStatistics::flow_slice_m(std::optional<Interval> wanted) const {
@@ -78,15 +90,17 @@ std::optional<Interval> FlowStatistics::flow_slice_m(std::optional<Interval> wan
   if (wanted) {
     if (!(wanted->to > wanted->from && std::isfinite(wanted->to - wanted->from))) {
       throw InvalidInput("option --slice", fmt::format("{:g} {:g}", wanted->from, wanted->to),
-                         "two places on z in metres, the lower one first", "such as 0.24 0.25");
+                         "two places on the axis in metres, the lower one first",
+                         "such as 0.24 0.25");
     }
     return Interval{dz * static_cast<double>(slice_of(wanted->from, dz, kRounding)),
                     dz * std::ceil(wanted->to / dz - kRounding)};
   }
   if (profile_.empty()) return {};
-  const long first = std::max(profile_.begin()->first, slice_of(window_.from_z_m, dz, kRounding));
-  const double last_m =
-      std::min(window_.to_z_m, dz * static_cast<double>(profile_.rbegin()->first));
+  const double first_m =
+      std::max(window_.from_m, dz * static_cast<double>(profile_.begin()->first));
+  const long first = slice_of(first_m, dz, kRounding);
+  const double last_m = std::min(window_.to_m, dz * static_cast<double>(profile_.rbegin()->first));
   const long last = slice_of(last_m, dz, kRounding);
   if (last < first) return {};
   const long all = last - first + 1;

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file flow_statistics.h
-/// Statistics of particles that flow along z, from one dumped state after the other.
-///   solids flow through a slice of thickness dz  = sum(m_i vz_i)/dz            [kg/s]
-///   concentration in a slice                     = N/dz [1/m], sum(m_i)/dz     [kg/m]
-///   velocity: mean and standard deviation of vz over the particles of the window (by number)
-///   height: percentiles of y in a slice; width: central interval that holds a share of the
-///   particles of a slice in x and in y. Both over all established states together.
-/// Slices are [k dz, (k + 1) dz). Memory grows with slices times states, not with particles.
+/// Statistics of particles that flow along an axis s, from one dumped state after the other.
+///   solids flow through a slice of thickness ds  = sum(m_i v_i)/ds             [kg/s]
+///   concentration in a slice                     = N/ds [1/m], sum(m_i)/ds     [kg/m]
+///   velocity: mean and standard deviation of v over the particles of the window (by number)
+///   v is the velocity along the axis, positive downstream (flow_axis.h)
+///   height: percentiles of `up` in a slice; width: central interval that holds a share of the
+///   particles of a slice in `across` and in `up`. Both over all established states together.
+/// Slices are [k ds, (k + 1) ds). Memory grows with slices times states, not with particles.
 /// Tests: tests/analysis/flow_statistics_test.cpp
 #pragma once
 
@@ -19,16 +20,20 @@
 #include <optional>
 #include <vector>
 
+#include "analysis/flow/flow_axis.h"
 #include "analysis/flow/particle_dump.h"
 #include "analysis/flow/place_distribution.h"
 
 namespace powderlink::analysis {
 
 struct FlowWindow {
-  double from_s = 0.0;    ///< established from here on
-  double from_z_m = 0.2;  ///< part of the pipe that counts for pressure and velocity
-  double to_z_m = std::numeric_limits<double>::infinity();
-  double slice_m = 1e-3;  ///< thickness of the slices
+  double from_s = 0.0;  ///< established from here on
+  FlowAxis axis;
+  double from_m = -std::numeric_limits<double>::infinity();
+  double to_m = std::numeric_limits<double>::infinity();  ///< part that counts, places on the axis
+  double slice_m = 1e-3;                                  ///< thickness of the slices
+
+  bool holds(double place_m) const { return place_m >= from_m && place_m <= to_m; }
 };
 
 struct Interval {
@@ -46,8 +51,8 @@ struct SliceProfile {
   using Moments = boost::accumulators::accumulator_set<
       double, boost::accumulators::stats<boost::accumulators::tag::mean,
                                          boost::accumulators::tag::variance>>;
-  explicit SliceProfile(double class_width_m) : x(class_width_m), y(class_width_m) {}
-  PlaceDistribution x, y;
+  explicit SliceProfile(double class_width_m) : across(class_width_m), up(class_width_m) {}
+  PlaceDistribution across, up;
   Moments velocity_m_s;
 };
 
@@ -65,6 +70,8 @@ class FlowStatistics {
   void add(double time_s, const DumpState& state);
 
   const FlowWindow& window() const { return window_; }
+  /// From now on the part that counts is everything.
+  void widen();
   const std::vector<State>& states() const { return states_; }
   const std::map<long, SliceProfile>& profile() const { return profile_; }
   double centre_m(long slice) const { return (static_cast<double>(slice) + 0.5) * window_.slice_m; }
@@ -82,7 +89,7 @@ class FlowStatistics {
   FlowWindow window_;
   std::vector<State> states_;
   std::map<long, SliceProfile> profile_;
-  SliceProfile::Moments velocity_;
+  SliceProfile::Moments velocity_, velocity_everywhere_;
   double class_width_m_ = 0.0;
 };
 

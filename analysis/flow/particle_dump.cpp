@@ -124,7 +124,7 @@ class Reader {
       } else if (item == "ITEM: TIME") {
         state.time_s = number(get_line());
       } else if (item.rfind("ITEM: BOX BOUNDS", 0) == 0) {
-        for (int i = 0; i < 3; ++i) get_line();
+        read_box(item, state);
       } else if (item.rfind("ITEM: ", 0) == 0) {
         get_line();  // such as UNITS or LABEL
       } else {
@@ -165,6 +165,18 @@ class Reader {
       damaged("'" + short_text(text) + "' where a number belongs");
     }
     return value;
+  }
+
+  /// `ITEM: BOX BOUNDS pp ff mm`, then low and high of each axis.
+  void read_box(const std::string& item, DumpState& state) {
+    const std::vector<std::string> kinds = words(item);
+    for (std::size_t i = 0; i < 3; ++i) {
+      state.periodic[i] = kinds.size() >= 6 && kinds[kinds.size() - 3 + i] == "pp";
+      const std::vector<std::string> bounds = words(get_line());
+      if (bounds.size() < 2) damaged("a side of the box without two bounds");
+      state.box_low_m[i] = number(bounds[0]);
+      state.box_high_m[i] = number(bounds[1]);
+    }
   }
 
   void read_rows(const std::string& item, long count, DumpState& state) {
@@ -259,6 +271,16 @@ void read_dump(const fs::path& dump, const std::function<void(const DumpState&)>
   do {
     use(state);
   } while (reader.next(state));
+}
+
+DumpState read_last_state(const fs::path& dump) {
+  Reader reader(dump);
+  DumpState state, last;
+  if (!reader.next(state)) nothing_in(dump);
+  do {
+    std::swap(state, last);
+  } while (reader.next(state));
+  return last;
 }
 
 DumpState read_first_state(const fs::path& dump) {

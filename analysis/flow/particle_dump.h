@@ -6,6 +6,7 @@
 /// Tests: tests/analysis/flow_dump_test.cpp
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -25,6 +26,8 @@ struct DumpState {
   long step = 0;
   std::optional<double> time_s;  ///< when the dump itself says it (ITEM: TIME)
   std::vector<DumpParticle> particles;
+  std::array<double, 3> box_low_m{}, box_high_m{};
+  std::array<bool, 3> periodic{};
 };
 
 /// CASE/post/particles_*.dump by the number in the name, without anything that does not fit.
@@ -39,5 +42,8 @@ void read_dump(const std::filesystem::path& dump, const std::function<void(const
 
 /// Only the first state of a file; the rest is not read.
 DumpState read_first_state(const std::filesystem::path& dump);
+
+/// The last state of a file.
+DumpState read_last_state(const std::filesystem::path& dump);
 
 }  // namespace powderlink::analysis

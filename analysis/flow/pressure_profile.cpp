@@ -8,10 +8,12 @@
 #include <charconv>
 #include <cmath>
 #include <fstream>
+#include <limits>
 #include <map>
 #include <regex>
 #include <sstream>
 
+#include "analysis/foam/foam_files.h"
 #include "models/invalid_input.h"
 
 namespace powderlink::analysis {
@@ -40,7 +42,7 @@ double number(const std::string& text, const fs::path& file, long line) {
 }
 
 struct ProbeFile {
-  std::vector<double> z_m;
+  std::vector<Place> places;
   std::vector<std::pair<double, std::vector<double>>> rows;  ///< time, kinematic pressures
 };
 
@@ -55,7 +57,10 @@ ProbeFile read_probes(const fs::path& file) {
     ++count;
     if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
     if (line[0] == '#') {
-      if (std::regex_match(line, match, head)) probes.z_m.push_back(number(match[3], file, count));
+      if (std::regex_match(line, match, head)) {
+        probes.places.push_back({number(match[1], file, count), number(match[2], file, count),
+                                 number(match[3], file, count)});
+      }
       continue;
     }
     std::istringstream text(line);
@@ -63,15 +68,15 @@ ProbeFile read_probes(const fs::path& file) {
     text >> word;
     std::pair<double, std::vector<double>> row{number(word, file, count), {}};
     while (text >> word) row.second.push_back(number(word, file, count));
-    if (row.second.size() != probes.z_m.size()) {
+    if (row.second.size() != probes.places.size()) {
       // A run that was killed may leave its last line unfinished.
       if (in.peek() == std::ifstream::traits_type::eof()) break;
       damaged(file, count,
-              fmt::format("{} values for {} probes", row.second.size(), probes.z_m.size()));
+              fmt::format("{} values for {} probes", row.second.size(), probes.places.size()));
     }
     probes.rows.push_back(std::move(row));
   }
-  if (probes.z_m.empty()) damaged(file, count, "no line # Probe N (x y z)");
+  if (probes.places.empty()) damaged(file, count, "no line # Probe N (x y z)");
   return probes;
 }
 
@@ -91,32 +96,24 @@ std::map<double, fs::path> starts(const fs::path& set) {
   return found;
 }
 
+void require_density(const std::string& place, const std::string& text, double density_kg_m3) {
+  if (density_kg_m3 > 0.0 && std::isfinite(density_kg_m3)) return;
+  throw InvalidInput(place, text + " kg/m^3", "a density above 0", "correct it, such as 1.6355");
+}
+
 }  // namespace
 
 std::optional<double> gas_density_kg_m3(const fs::path& case_folder, std::optional<double> given) {
-  std::string place = "option --density", text;
   if (given) {
-    text = number_text(*given);
-  } else {
-    const fs::path file = case_folder / "constant" / "transportProperties";
-    place = "rho in " + file.string();
-    std::ifstream in(file);
-    std::stringstream all;
-    all << in.rdbuf();
-    // rho 1.2;   rho [1 -3 0 0 0 0 0] 1.2;   rho rho [1 -3 0 0 0 0 0] 1.2;
-    static const std::regex entry(
-        R"((?:^|\n)[ \t]*rho[ \t]+(?:rho[ \t]+)?(?:\[[^\]]*\][ \t]*)?([-+0-9.eE]+)[ \t]*;)");
-    const std::string content = all.str();
-    std::smatch match;
-    if (!std::regex_search(content, match, entry)) return {};
-    text = match[1];
+    require_density("option --density", number_text(*given), *given);
+    return given;
   }
-  double density = 0.0;
-  std::from_chars(text.data(), text.data() + text.size(), density);
-  if (!(density > 0.0 && std::isfinite(density))) {
-    throw InvalidInput(place, text + " kg/m^3", "a density above 0", "correct it, such as 1.6355");
-  }
-  return density;
+  const fs::path file = fs::path("constant") / "transportProperties";
+  const auto rho = read_foam_entry(case_folder, {file, "rho"});
+  if (!rho) return {};
+  const double value = rho->number.value_or(std::numeric_limits<double>::quiet_NaN());
+  require_density("rho in " + (case_folder / file).string(), rho->text, value);
+  return value;
 }
 
 std::vector<std::string> pressure_probe_sets(const fs::path& case_folder) {
@@ -131,8 +128,13 @@ std::vector<std::string> pressure_probe_sets(const fs::path& case_folder) {
   return sets;
 }
 
+std::vector<Place> probe_places(const fs::path& case_folder, const std::string& set) {
+  const auto files = starts(case_folder / "postProcessing" / set);
+  return files.empty() ? std::vector<Place>{} : read_probes(files.begin()->second).places;
+}
+
 PressureProfile read_pressure(const fs::path& case_folder, const std::string& set,
-                              double density_kg_m3, double from_s) {
+                              double density_kg_m3, double from_s, const FlowAxis& axis) {
   const std::map<double, fs::path> files = starts(case_folder / "postProcessing" / set);
   if (files.empty()) {
     std::string known;
@@ -143,15 +145,16 @@ PressureProfile read_pressure(const fs::path& case_folder, const std::string& se
         "name one of these, or add probes of p to system/controlDict");
   }
   PressureProfile profile{set, {}, 0};
-  std::vector<double> z, sums, weights;
+  std::vector<Place> places;
+  std::vector<double> sums, weights;
   for (auto at = files.begin(); at != files.end(); ++at) {
     const auto following = std::next(at);
     const ProbeFile file = read_probes(at->second);
-    if (z.empty()) {
-      z = file.z_m;
-      sums.assign(z.size(), 0.0);
-      weights.assign(z.size(), 0.0);
-    } else if (z != file.z_m) {
+    if (places.empty()) {
+      places = file.places;
+      sums.assign(places.size(), 0.0);
+      weights.assign(places.size(), 0.0);
+    } else if (places != file.places) {
       damaged(at->second, 1, "other probes than before the restart");
     }
     double before = at->first;
@@ -168,26 +171,27 @@ PressureProfile read_pressure(const fs::path& case_folder, const std::string& se
       }
     }
   }
-  for (std::size_t i = 0; i < z.size(); ++i) {
-    if (weights[i] > 0.0) profile.probes.push_back({z[i], density_kg_m3 * sums[i] / weights[i]});
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    if (weights[i] > 0.0)
+      profile.probes.push_back({axis.place_m(places[i]), density_kg_m3 * sums[i] / weights[i]});
   }
   std::sort(profile.probes.begin(), profile.probes.end(),
-            [](const ProbeMean& a, const ProbeMean& b) { return a.z_m < b.z_m; });
+            [](const ProbeMean& a, const ProbeMean& b) { return a.place_m < b.place_m; });
   return profile;
 }
 
-std::optional<PressureSlope> fit_slope(const PressureProfile& profile, double from_z_m,
-                                       double to_z_m) {
-  std::vector<double> z, p;
+std::optional<PressureSlope> fit_slope(const PressureProfile& profile, double from_m, double to_m,
+                                       const FlowAxis& axis) {
+  std::vector<double> s, p;
   for (const ProbeMean& probe : profile.probes) {
-    if (probe.z_m < from_z_m || probe.z_m > to_z_m) continue;
-    z.push_back(probe.z_m);
+    if (probe.place_m < from_m || probe.place_m > to_m) continue;
+    s.push_back(probe.place_m);
     p.push_back(probe.pressure_Pa);
   }
-  if (z.size() < 2 || z.front() == z.back()) return {};
-  const auto [intercept, slope, r_squared] =
-      boost::math::statistics::simple_ordinary_least_squares_with_R_squared(z, p);
-  return PressureSlope{intercept, -slope, r_squared, z.size()};
+  if (s.size() < 2 || s.front() == s.back()) return {};
+  const auto [intercept, rise, r_squared] =
+      boost::math::statistics::simple_ordinary_least_squares_with_R_squared(s, p);
+  return PressureSlope{intercept, -axis.way * rise, r_squared, axis.way, s.size()};
 }
 
 }  // namespace powderlink::analysis

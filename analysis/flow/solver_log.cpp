@@ -5,6 +5,8 @@
 #include <regex>
 #include <string>
 
+#include "models/invalid_input.h"
+
 namespace powderlink::analysis {
 
 namespace fs = std::filesystem;
@@ -13,15 +15,20 @@ namespace {
 
 constexpr double kShort_s = 20.0;  // below, whole seconds are worse than 5 %
 
-std::optional<fs::path> newest_log(const fs::path& case_folder) {
-  std::optional<fs::path> newest;
-  for (const char* name : {"log.powderFoam", "log.mpirun"}) {
-    const fs::path log = case_folder / name;
-    std::error_code problem;
-    if (!fs::is_regular_file(log, problem)) continue;
-    if (!newest || fs::last_write_time(log) > fs::last_write_time(*newest)) newest = log;
+constexpr std::streamsize kHead_bytes = 200'000;  // LIGGGHTS's own beginning may come first
+
+bool is_of_powder_foam(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::string head(static_cast<std::size_t>(kHead_bytes), '\0');
+  in.read(head.data(), kHead_bytes);
+  head.resize(static_cast<std::size_t>(in.gcount()));
+  for (std::size_t at = 0; (at = head.find("Exec ", at)) != std::string::npos; ++at) {
+    const std::string line = head.substr(at, head.find('\n', at) - at);
+    if (line.find(" : ") != std::string::npos && line.find("powderFoam") != std::string::npos) {
+      return true;
+    }
   }
-  return newest;
+  return false;
 }
 
 struct Clock {
@@ -30,16 +37,42 @@ struct Clock {
 
 }  // namespace
 
-SolverCost read_solver_cost(const fs::path& case_folder, double from_s) {
+fs::path find_solver_log(const fs::path& case_folder) {
+  fs::path newest;
+  bool surely = false;
+  fs::file_time_type written;
+  std::error_code problem;
+  for (const auto& entry : fs::directory_iterator(case_folder, problem)) {
+    if (!entry.is_regular_file()) continue;
+    const std::string name = entry.path().filename().string();
+    const bool sure = is_of_powder_foam(entry.path());
+    if (!sure && name != "log.powderFoam" && name != "log.mpirun") continue;
+    if (newest.empty() || sure > surely || (sure == surely && entry.last_write_time() > written)) {
+      newest = entry.path();
+      surely = sure;
+      written = entry.last_write_time();
+    }
+  }
+  return newest;
+}
+
+SolverCost read_solver_cost(const fs::path& case_folder, double from_s,
+                            const std::optional<fs::path>& given) {
   SolverCost cost;
-  const auto log = newest_log(case_folder);
-  if (!log) return cost;
-  static const std::regex time_line(R"(^\s*Time = ([-+0-9.eE]+)\s*s?\s*$)");
+  if (given && !fs::is_regular_file(*given)) {
+    throw InvalidInput("option --log", given->string(), "a file with the output of powderFoam",
+                       "correct the path");
+  }
+  cost.log = given ? *given : find_solver_log(case_folder);
+  if (cost.log.empty()) return cost;
+  // Before it may stand what mpirun --tag-output writes: [1,0]<stdout>:
+  static const std::regex time_line(
+      R"(^(?:\[[^\]]*\](?:<\w+>)?:?)?\s*Time = ([-+0-9.eE]+)\s*s?\s*$)");
   static const std::regex clock_line(
       R"(ExecutionTime = ([0-9.eE+]+) s\s+ClockTime = ([0-9.eE+]+) s)");
   static const std::regex share_line(R"(coupling share\s*[:=]?\s*([0-9.]+)\s*%)",
                                      std::regex::icase);
-  std::ifstream in(*log);
+  std::ifstream in(cost.log);
   std::string line;
   std::smatch match;
   std::optional<double> time;

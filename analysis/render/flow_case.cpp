@@ -19,9 +19,10 @@
 #include <vtkTypeInt64Array.h>
 #include <vtkUnstructuredGrid.h>
 
+#include <array>
 #include <cmath>
 
-#include "analysis/flow/dem_time_step.h"
+#include "analysis/flow/particle_clock.h"
 #include "analysis/render/files.h"
 #include "liggghts_styles/models/invalid_input.h"
 
@@ -43,22 +44,14 @@ double nearest(const double* times, int count, double wanted) {
 
 std::vector<DumpAtTime> dumps_with_times(const fs::path& case_folder,
                                          std::optional<double> time_step_s) {
-  std::optional<double> dt_s;
+  analysis::ParticleClock clock(case_folder, time_step_s);
   std::vector<DumpAtTime> dumps;
   for (const fs::path& file : analysis::list_dumps(case_folder)) {
     // The name tells the step without reading; a dump that is named otherwise tells it inside.
-    std::optional<double> time;
-    std::optional<long> step = analysis::step_of_name(file);
-    if (!step) {
-      const analysis::DumpState state = analysis::read_first_state(file);
-      step = state.step;
-      time = state.time_s;
-    }
-    if (!time) {
-      if (!dt_s) dt_s = analysis::dem_time_step_s(case_folder, time_step_s);
-      time = static_cast<double>(*step) * *dt_s;
-    }
-    dumps.push_back({*time, file});
+    const std::optional<long> step = analysis::step_of_name(file);
+    dumps.push_back(
+        {step ? clock.gas_time_s(*step) : clock.gas_time_s(analysis::read_first_state(file)),
+         file});
   }
   return dumps;
 }
@@ -103,7 +96,8 @@ vtkSmartPointer<vtkPolyData> particles_of(const analysis::DumpState& state) {
   return data;
 }
 
-std::optional<GasSlice> read_gas_slice(const fs::path& case_folder, double time_s, double x_m) {
+std::optional<GasSlice> read_gas_slice(const fs::path& case_folder, double time_s, double place_m,
+                                       std::size_t normal) {
   const bool decomposed = fs::is_directory(case_folder / "processor0" / "constant" / "polyMesh");
   const bool whole = fs::is_directory(case_folder / "constant" / "polyMesh");
   if (!decomposed && !whole) return {};
@@ -125,8 +119,11 @@ std::optional<GasSlice> read_gas_slice(const fs::path& case_folder, double time_
     reader->SetPatchArrayStatus("internalMesh", 1);
     reader->UpdateTimeStep(time);
     vtkNew<vtkPlane> plane;
-    plane->SetOrigin(x_m, 0.0, 0.0);
-    plane->SetNormal(1.0, 0.0, 0.0);
+    std::array<double, 3> origin{}, direction{};
+    origin.at(normal) = place_m;
+    direction.at(normal) = 1.0;
+    plane->SetOrigin(origin.data());
+    plane->SetNormal(direction.data());
     vtkNew<vtkAppendPolyData> all;
     bool any = false;
     auto blocks =

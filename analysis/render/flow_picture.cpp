@@ -11,6 +11,7 @@
 #include <vtkLight.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
+#include <vtkPoints.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkRenderWindow.h>
@@ -22,6 +23,7 @@
 #include <cmath>
 #include <vector>
 
+#include "analysis/flow/flow_channel.h"
 #include "analysis/render/files.h"
 #include "analysis/render/flow_case.h"
 #include "analysis/render/gl_context.h"
@@ -39,10 +41,27 @@ constexpr double kStripOverHeight = 8.0;
 constexpr int kStrips = 3;
 constexpr double kMargin = 0.06;  // of the channel's height, above and below it
 constexpr double kMicrometres = 1e6;
+constexpr double kRounding = 1e-6;  // of the channel's width: points are read as float
 
-/// Everything in the picture, lengths in m.
+/// Turns places so that the axis lies along z and `up` along y; a turn, not a mirror image.
+class Turn {
+ public:
+  explicit Turn(const analysis::FlowAxis& axis)
+      : axis_(axis), across_sign_(axis.index == 1 ? -1.0 : 1.0) {}
+  analysis::Place operator()(const analysis::Place& p) const {
+    return {across_sign_ * p.at(axis_.across()), p.at(axis_.up()), p.at(axis_.index)};
+  }
+  double across_sign() const { return across_sign_; }
+
+ private:
+  analysis::FlowAxis axis_;
+  double across_sign_;
+};
+
+/// Everything in the picture, turned, lengths in m.
 struct Content {
   double time_s = 0.0;
+  char axis = 'z';
   std::vector<analysis::DumpParticle> particles;
   std::optional<GasSlice> gas;
   double x = 0.0;  ///< of the plane
@@ -60,7 +79,7 @@ void check(const FlowPictureOptions& o) {
   if (o.length_m && !(*o.length_m > 0.0 && std::isfinite(*o.length_m))) {
     refuse("--length", *o.length_m, "a length in metres above 0");
   }
-  if (o.at_m && !std::isfinite(*o.at_m)) refuse("--at", *o.at_m, "a place on z in metres");
+  if (o.at_m && !std::isfinite(*o.at_m)) refuse("--at", *o.at_m, "a place on the axis in metres");
 }
 
 double speed_of(const analysis::DumpParticle& p) {
@@ -88,7 +107,17 @@ Content read_content(const std::filesystem::path& folder, const FlowPictureOptio
     }
   }
   c.time_s = best->time_s;
-  c.particles = analysis::read_first_state(best->file).particles;
+  const analysis::DumpState state = analysis::read_first_state(best->file);
+  // The axis is that of the run, not of the moment.
+  const analysis::FlowChannel channel =
+      analysis::look_at_channel(folder, analysis::read_last_state(dumps.back().file), options.axis);
+  c.axis = channel.axis.letter();
+  const Turn turn(channel.axis);
+  for (analysis::DumpParticle p : state.particles) {
+    const analysis::Place at = turn(analysis::place_of(p));
+    p.x_m = at[0], p.y_m = at[1], p.z_m = at[2];
+    c.particles.push_back(p);
+  }
   std::vector<double> speeds;
   bool first = true;
   for (const analysis::DumpParticle& p : c.particles) {
@@ -102,14 +131,25 @@ Content read_content(const std::filesystem::path& folder, const FlowPictureOptio
     speeds.push_back(speed_of(p));
   }
   c.particle_scale = scale_of(speeds);
-  // A plane in the middle of what is there: near a pipe's axis if not exactly on it.
-  c.gas = read_gas_slice(folder, c.time_s, 0.0);
-  if (c.gas && c.gas->plane->GetNumberOfPoints() == 0) {
-    c.x = 0.5 * (c.bounds[0] + c.bounds[1]);
-    c.gas = read_gas_slice(folder, c.time_s, c.x);
+  // A plane in the middle of the mesh, or of the particles where the mesh is not known.
+  const std::size_t across = channel.axis.across();
+  c.x = 0.5 * (c.bounds[0] + c.bounds[1]);
+  if (channel.mesh) {
+    const double low = channel.mesh->low_m.at(across), high = channel.mesh->high_m.at(across);
+    c.x = turn.across_sign() * 0.5 * (low + high);
+    if (std::abs(c.x) < kRounding * (high - low)) c.x = 0.0;
   }
+  c.gas = read_gas_slice(folder, c.time_s, turn.across_sign() * c.x, across);
   if (c.gas && c.gas->plane->GetNumberOfPoints() == 0) c.gas.reset();
   if (c.gas) {
+    vtkPoints* points = c.gas->plane->GetPoints();
+    for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i) {
+      const double* p = points->GetPoint(i);
+      const analysis::Place at = turn({p[0], p[1], p[2]});
+      points->SetPoint(i, at.data());
+    }
+    points->Modified();
+    c.gas->plane->ComputeBounds();
     c.gas->plane->GetBounds(c.bounds);
     vtkDataArray* u = c.gas->plane->GetPointData()->GetArray("U");
     std::vector<double> gas;
@@ -240,9 +280,10 @@ void write_flow_picture(const std::filesystem::path& folder, const std::filesyst
   check(options);
   const Content c = read_content(folder, options);
   const double begin = c.bounds[4], end = c.bounds[5];
-  const double length =
-      std::min(options.length_m.value_or(kStripOverHeight * c.height()), end - begin);
+  double length = std::min(options.length_m.value_or(kStripOverHeight * c.height()), end - begin);
   const int strips = options.at_m || end - begin < kStrips * length ? 1 : kStrips;
+  // A channel that is too short for several strips is shown from end to end.
+  if (strips == 1 && !options.at_m && !options.length_m) length = end - begin;
 
   // Sizes in pixels of the oversampled image.
   const double width = kOversampling * options.width_px;
@@ -278,10 +319,10 @@ void write_flow_picture(const std::filesystem::path& folder, const std::filesyst
                        (low + panel_height) / height);
     window->AddRenderer(strip);
     const std::string letter = strips > 1 ? fmt::format("({})  ", static_cast<char>('a' + i)) : "";
-    draw_text(
-        layer,
-        fmt::format("{}~z = {} to {} mm", letter, place_text(from), place_text(from + length)),
-        {edge, low + panel_height + 0.45 * text}, text);
+    draw_text(layer,
+              fmt::format("{}~{} = {} to {} mm", letter, c.axis, place_text(from),
+                          place_text(from + length)),
+              {edge, low + panel_height + 0.45 * text}, text);
   }
   window->AddRenderer(layer);
   draw_text(layer, options.title.value_or(fmt::format("~t = {:.4g} ms", 1e3 * c.time_s)),

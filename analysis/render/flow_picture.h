@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file flow_picture.h
 /// The figure of a coupled run: gas speed in the plane through the middle, the particles before it
-/// with their true radii coloured by speed, in one or more strips along z. No display needed.
+/// with their true radii coloured by speed, in one or more strips along the channel's axis
+/// (analysis/flow/flow_channel.h), which lies to the right with the axis `up` upwards. No display
+/// needed.
 /// Tests: tests/render/flow_test.cpp
 #pragma once
 
@@ -13,9 +15,10 @@ namespace powderlink::render {
 
 struct FlowPictureOptions {
   int width_px = 2000;
-  std::optional<double> time_s;       ///< the dump nearest to it; default: the last one
+  std::optional<double> time_s;       ///< of the gas: the dump nearest to it; default: the last one
+  std::optional<std::string> axis;    ///< x, y or z; default: the channel's
   std::optional<double> time_step_s;  ///< of the DEM
-  std::optional<double> length_m;     ///< of a strip; default: 8 times the height of the channel
+  std::optional<double> length_m;     ///< of a strip; default: 8 times the height of the channel, or all of it
   std::optional<double> at_m;         ///< one strip, its middle here; default: begin, middle, end
   std::optional<std::string> title;
 };

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "analysis/flow/dem_time_step.h"
+#include "analysis/flow/particle_clock.h"
 #include "analysis/render/files.h"
 #include "analysis/render/flow_case.h"
 #include "analysis/render/pvd.h"
@@ -18,17 +18,15 @@ namespace fs = std::filesystem;
 FlowSeriesFiles write_flow_series(const fs::path& case_folder, std::optional<double> time_step_s,
                                   const Progress& progress) {
   const std::vector<fs::path> dumps = analysis::list_dumps(case_folder);
-  std::optional<double> dt_s;
+  analysis::ParticleClock clock(case_folder, time_step_s);
   std::vector<PvdEntry> entries;
   StagedFolder folder(case_folder / "vtk");
   std::size_t done = 0;
   for (const fs::path& dump : dumps) {
     analysis::read_dump(dump, [&](const analysis::DumpState& state) {
-      if (!state.time_s && !dt_s) dt_s = analysis::dem_time_step_s(case_folder, time_step_s);
-      const double time_s = state.time_s ? *state.time_s : static_cast<double>(state.step) * *dt_s;
       const std::string name = fmt::format("particles_{}.vtp", state.step);
       write_vtp(folder.path() / name, particles_of(state));
-      entries.push_back({time_s, "vtk/" + name});
+      entries.push_back({clock.gas_time_s(state), "vtk/" + name});
     });
     if (progress) progress(++done, dumps.size());
   }

@@ -95,11 +95,14 @@ int run(int argc, char** argv) {
                         "DEM time step [s]; default: from the dumps, log.liggghts or in.*");
   }
   flow->add_option("-o,--output", arguments.flow_file, "the picture")->capture_default_str();
-  flow->add_option("--time", arguments.flow.time_s, "the dump nearest to T [s]; default: the last");
+  flow->add_option("--time", arguments.flow.time_s,
+                   "the dump nearest to T of the gas [s]; default: the last");
+  flow->add_option("--axis", arguments.flow.axis,
+                   "x, y or z, to the right; default: that of the channel");
   flow->add_option("--length", arguments.flow.length_m,
                    "length of a strip [m]; default: 8 times the channel's height");
   flow->add_option("--at", arguments.flow.at_m,
-                   "one strip around this z [m]; default: begin, middle and end");
+                   "one strip around this place on the axis [m]; default: begin, middle and end");
   flow->add_option("--width", arguments.flow.width_px, "width of the picture [pixels]")
       ->capture_default_str();
   flow->add_option("--title", arguments.flow.title, "instead of the time");

@@ -7,12 +7,12 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <fstream>
 #include <map>
 #include <set>
 #include <sstream>
 
 #include "analysis/flow/dem_time_step.h"
+#include "analysis/flow/particle_clock.h"
 #include "analysis/restart/field_file.h"
 #include "files/restart_file.h"
 #include "models/invalid_input.h"
@@ -50,27 +50,6 @@ double rounding_of(const std::string& name, double time_s) {
   return 0.5 * std::pow(10.0, std::floor(std::log10(std::abs(time_s))) + 1.0 - digits);
 }
 
-/// The value of an entry of a dictionary that powderFoam has written, as `value 0.0125;`, without its
-/// quotation marks; of a file that may be compressed.
-std::optional<std::string> entry_in(const fs::path& file, const std::string& name) {
-  std::istringstream in(text_of_foam_file(plain_or_compressed(file)));
-  std::string key, value;
-  for (std::string line; std::getline(in, line);) {
-    std::istringstream words(line);
-    if (!(words >> key) || key != name || !std::getline(words >> std::ws, value)) continue;
-    if (value.empty() || value.back() != ';') continue;
-    value.pop_back();
-    const bool quoted = value.size() >= 2 && value.front() == '"' && value.back() == '"';
-    return quoted ? value.substr(1, value.size() - 2) : value;
-  }
-  return {};
-}
-
-std::optional<double> number_in(const fs::path& file, const std::string& name) {
-  const auto value = entry_in(file, name);
-  return value ? whole_number<double>(*value) : std::nullopt;
-}
-
 /// Field files in a time folder, without the ending .gz.
 std::map<std::string, fs::path> files_of(const fs::path& folder) {
   std::map<std::string, fs::path> files;
@@ -85,24 +64,25 @@ std::map<std::string, fs::path> files_of(const fs::path& folder) {
 
 /// Names of the files that belong to the checkpoint, relative to its folders: those that every one must
 /// have, those that any processor has, and those that powderFoam says it has written.
-std::set<std::string> wanted_files(const FieldCheckpoint& checkpoint) {
+std::set<std::string> wanted_files(const FieldCheckpoint& checkpoint,
+                                   const std::string& written) {
   std::set<std::string> wanted(kFields.begin(), kFields.end());
   bool has_clock = false;
   for (const fs::path& folder : checkpoint.folders) {
     for (const auto& [name, file] : files_of(folder)) wanted.insert(name);
-    const fs::path clock = folder / kClock;
-    if (!fs::exists(plain_or_compressed(clock))) continue;
-    has_clock = true;
+    has_clock = has_clock || fs::exists(plain_or_compressed(folder / kClock));
+  }
+  if (has_clock) {
     // Releases that do not name the files have written this one all the same.
-    std::istringstream names(entry_in(clock, "files").value_or(kBalance));
+    std::istringstream names(written.empty() ? kBalance : written);
     for (std::string name; names >> name;) wanted.insert(name);
   }
   if (has_clock || wanted.count(kBalance) > 0) wanted.insert(kClock);
   return wanted;
 }
 
-void judge(FieldCheckpoint& checkpoint) {
-  const std::set<std::string> wanted = wanted_files(checkpoint);
+void judge(FieldCheckpoint& checkpoint, const std::string& written) {
+  const std::set<std::string> wanted = wanted_files(checkpoint, written);
   checkpoint.of_coupled_run = wanted.count(kClock) > 0;
   for (const fs::path& folder : checkpoint.folders) {
     for (const std::string& name : wanted) {
@@ -117,7 +97,8 @@ void judge(FieldCheckpoint& checkpoint) {
 }
 
 /// Of the case's folder, or of all processors.
-std::vector<FieldCheckpoint> find_fields_in(const std::vector<fs::path>& roots, bool decomposed) {
+std::vector<FieldCheckpoint> find_fields_in(const fs::path& case_folder,
+                                            const std::vector<fs::path>& roots, bool decomposed) {
   std::set<std::string> names;
   for (const fs::path& root : roots) {
     for (const auto& entry : fs::directory_iterator(root)) {
@@ -125,6 +106,7 @@ std::vector<FieldCheckpoint> find_fields_in(const std::vector<fs::path>& roots, 
       if (entry.is_directory() && whole_number<double>(name)) names.insert(name);
     }
   }
+  const auto clocks = read_written_clocks(case_folder, roots.front(), {names.begin(), names.end()});
   std::vector<FieldCheckpoint> found;
   for (const std::string& name : names) {
     FieldCheckpoint checkpoint;
@@ -133,13 +115,14 @@ std::vector<FieldCheckpoint> find_fields_in(const std::vector<fs::path>& roots, 
     checkpoint.time_s = *whole_number<double>(name);
     checkpoint.rounding_s = rounding_of(name, checkpoint.time_s);
     for (const fs::path& root : roots) checkpoint.folders.push_back(root / name);
-    if (const auto exact = number_in(checkpoint.folders.front() / "uniform/time", "value")) {
-      checkpoint.time_s = *exact;
+    WrittenClock clock;
+    if (const auto written = clocks.find(name); written != clocks.end()) clock = written->second;
+    if (clock.time_s) {
+      checkpoint.time_s = *clock.time_s;
       checkpoint.rounding_s = 0.0;
     }
-    checkpoint.particles_ahead_s =
-        number_in(checkpoint.folders.front() / kClock, "particlesAhead").value_or(0.0);
-    judge(checkpoint);
+    checkpoint.particles_ahead_s = clock.particles_ahead_s;
+    judge(checkpoint, clock.files);
     found.push_back(std::move(checkpoint));
   }
   std::sort(found.begin(), found.end(),
@@ -174,10 +157,10 @@ std::vector<fs::path> processors_of(const fs::path& case_folder) {
 /// Those of the processors, and those of the case itself that are newer: a run on one rank has written
 /// them, and left the processors behind. Older ones reconstructPar has made, or are where a run began.
 std::vector<FieldCheckpoint> find_fields(const fs::path& case_folder) {
-  std::vector<FieldCheckpoint> serial = find_fields_in({case_folder}, false);
+  std::vector<FieldCheckpoint> serial = find_fields_in(case_folder, {case_folder}, false);
   const std::vector<fs::path> processors = processors_of(case_folder);
   if (processors.empty()) return serial;
-  std::vector<FieldCheckpoint> all = find_fields_in(processors, true);
+  std::vector<FieldCheckpoint> all = find_fields_in(case_folder, processors, true);
   const double newest = all.empty() ? -1.0 : all.back().time_s;
   for (FieldCheckpoint& one : serial) {
     if (one.time_s > newest) all.push_back(std::move(one));

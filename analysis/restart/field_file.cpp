@@ -50,18 +50,6 @@ fs::path plain_or_compressed(const fs::path& file) {
   return !fs::exists(file) && fs::exists(compressed) ? compressed : file;
 }
 
-std::string text_of_foam_file(const fs::path& file) {
-  std::string text;
-  const gzFile in = gzopen(file.c_str(), "rb");  // what is not compressed is read as it is
-  if (in == nullptr) return text;
-  std::array<char, 1 << 12> block{};
-  for (int got = 0; (got = gzread(in, block.data(), block.size())) > 0;) {
-    text.append(block.data(), static_cast<std::size_t>(got));
-  }
-  gzclose_r(in);
-  return text;
-}
-
 std::string why_not_whole(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);
   if (!in) return "cannot be read";

@@ -13,9 +13,6 @@ namespace powderlink::analysis {
 /// The file, or NAME.gz when only that is there.
 std::filesystem::path plain_or_compressed(const std::filesystem::path& file);
 
-/// Its text, inflated where needed; as far as it can be read.
-std::string text_of_foam_file(const std::filesystem::path& file);
-
 /// Nothing for a whole file, else what is wrong: "is empty", "breaks off: ...".
 std::string why_not_whole(const std::filesystem::path& file);
 

@@ -4,10 +4,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <fstream>
-#include <regex>
-#include <sstream>
-
+#include "analysis/foam/foam_files.h"
 #include "analysis/write_file.h"
 #include "models/invalid_input.h"
 
@@ -22,18 +19,12 @@ namespace {
                      "check the rights of the case and the space left, then try again");
 }
 
-/// controlDict with `startFrom latestTime;`, the rest as it is.
-std::string new_control(const fs::path& file) {
-  std::ifstream in(file);
-  std::stringstream all;
-  all << in.rdbuf();
-  const std::string text = all.str();
-  static const std::regex entry("(^|\\n)([ \\t]*startFrom[ \\t]+)[^;\\n]*;");
-  if (!std::regex_search(text, entry)) {
-    throw InvalidInput("setting the start in " + file.string(), "no entry startFrom",
-                       "a line `startFrom latestTime;` in the file itself", "write it there");
-  }
-  return std::regex_replace(text, entry, "$1$2latestTime;");
+/// Where a link leads, with the rights that the file has.
+void write_control(const fs::path& control, const std::string& text) {
+  const fs::path file = fs::canonical(control);
+  const auto rights = fs::status(file).permissions();
+  write_file(file, text);
+  fs::permissions(file, rights);
 }
 
 /// A name in `folder` that is not taken.
@@ -50,7 +41,12 @@ std::vector<std::string> prepare_restart(const fs::path& case_folder,
   const CheckpointPair& pair = *checkpoints.last;
   const fs::path control = case_folder / "system" / "controlDict";
   // Everything that can be refused comes before anything that is changed.
-  const std::string text = new_control(control);
+  const FoamQuestion start{"system/controlDict", "startFrom"};
+  std::optional<std::string> text;
+  // Without the entry OpenFOAM starts from the latest time.
+  if (!fs::is_regular_file(control) || read_foam_entry(case_folder, start)) {
+    text = change_foam_entry(case_folder, start, "latestTime");
+  }
   std::vector<std::string> done;
 
   for (const FieldCheckpoint& fields : checkpoints.fields) {
@@ -78,7 +74,7 @@ std::vector<std::string> prepare_restart(const fs::path& case_folder,
   if (problem) refuse("linking", link, problem.message());
   done.push_back(fmt::format("{} -> {}", link.string(), pair.dem.file.filename().string()));
 
-  write_file(control, text);
+  if (text) write_control(control, *text);
   done.push_back(
       fmt::format("{}: startFrom latestTime; which is {}", control.string(), pair.fields.name));
   return done;

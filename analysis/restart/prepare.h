@@ -2,8 +2,8 @@
 /// \file prepare.h
 /// Makes a case continue from its last complete pair of checkpoints. Nothing is deleted:
 /// later time folders go to CASE/discarded/[processorN/] (a number is added when the name is taken),
-/// so that the pair's is the latest one; controlDict gets `startFrom latestTime;` by a new file that
-/// is renamed onto it; post/restart.latest (the restart files' own beginning and `latest`) becomes a
+/// so that the pair's is the latest one; controlDict gets `startFrom latestTime;`, in place of its own
+/// last entry or at its end, unless OpenFOAM sees that already; the rest of the file stays; post/restart.latest (the restart files' own beginning and `latest`) becomes a
 /// link to the restart file. Doing it again changes nothing.
 /// Tests: tests/analysis/restart_test.cpp
 #pragma once
@@ -16,7 +16,7 @@
 
 namespace powderlink::analysis {
 
-/// Lines on what was done. Throws when controlDict has no entry startFrom of its own.
+/// Lines on what was done. Throws before any change when controlDict cannot be read or written.
 std::vector<std::string> prepare_restart(const std::filesystem::path& case_folder,
                                          const Checkpoints& checkpoints);
 

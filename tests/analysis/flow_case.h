@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include <cstdlib>
+
 #include "analysis/flow/particle_dump.h"
 #include "tests/analysis/test_files.h"
 
@@ -21,6 +23,10 @@ inline std::string dump_text(long step, const std::vector<DumpParticle>& particl
   }
   return text;
 }
+
+/// Skips a test that reads dictionaries where OpenFOAM's libraries were not there at the build.
+#define POWDERLINK_NEEDS_FOAM() \
+  if (std::getenv("POWDERLINK_FOAM") == nullptr) GTEST_SKIP() << "built without OpenFOAM"
 
 /// Writes into folders that are made on the way.
 inline void write_in(const TestFolder& folder, const std::string& name, const std::string& text) {

@@ -7,10 +7,11 @@ namespace powderlink::analysis {
 namespace {
 
 TEST(FlowCase, UniformStreamBesideALinearPressure) {
+  POWDERLINK_NEEDS_FOAM();
   const TestFolder folder;
   write_stream_case(folder);
   FlowOptions options;
-  options.window.from_s = 0.01;
+  options.from_s = 0.01;
   const FlowReport report = analyse_flow(folder.path(), options);
   ASSERT_TRUE(report.slope);
   EXPECT_EQ(report.slope->probes, 10U);
@@ -26,6 +27,7 @@ TEST(FlowCase, UniformStreamBesideALinearPressure) {
 }
 
 TEST(FlowCase, TablesSayWhatTheNamesSay) {
+  POWDERLINK_NEEDS_FOAM();
   const TestFolder folder;
   write_stream_case(folder);
   const FlowReport report = analyse_flow(folder.path(), {});
@@ -86,8 +88,12 @@ TEST(FlowCase, RefusesDamagedProbes) {
 }
 
 TEST(FlowCase, DensityInAllItsSpellings) {
+  POWDERLINK_NEEDS_FOAM();
   for (const char* text :
-       {"rho 1.25;", "rho [1 -3 0 0 0 0 0] 1.25;", "nu 1e-5;\nrho rho [1 -3 0 0 0 0 0] 1.25;\n"}) {
+       {"rho 1.25;", "rho [1 -3 0 0 0 0 0] 1.25;", "nu 1e-5;\nrho rho [1 -3 0 0 0 0 0] 1.25;\n",
+        "/* in water:\nrho 998;\n*/ nu 1e-5; rho 1.25;", "rho 998;\nrho 1.25;",
+        "gas 1.25; rho $gas;", "\"rh.\" 1.25;", "water { rho 998; } rho 1.25; // rho 3;",
+        "rho [kg m^-3] 1.25;"}) {
     const TestFolder folder;
     write_in(folder, "constant/transportProperties", text);
     EXPECT_EQ(gas_density_kg_m3(folder.path(), {}), 1.25) << text;
@@ -95,6 +101,10 @@ TEST(FlowCase, DensityInAllItsSpellings) {
   const TestFolder folder;
   EXPECT_FALSE(gas_density_kg_m3(folder.path(), {}));
   expect_refusal([&] { gas_density_kg_m3(folder.path(), -1.0); }, {"--density"});
+  for (const char* text : {"rho air;", "rho 0;", "rho (1 2);", "rho { a 1; }"}) {
+    write_in(folder, "constant/transportProperties", text);
+    expect_refusal([&] { gas_density_kg_m3(folder.path(), {}); }, {"rho in ", "above 0"});
+  }
 }
 
 TEST(FlowCase, TimeStepFromLogThenScriptThenOption) {
@@ -139,7 +149,7 @@ TEST(FlowCase, SaysThatThePipeStillFills) {
   bool said = false;
   for (const auto& note : report.notes) said |= note.find("still changes") != std::string::npos;
   EXPECT_TRUE(said);
-  options.window.from_s = 1.0;
+  options.from_s = 1.0;
   expect_refusal([&] { analyse_flow(folder.path(), options); }, {"--from", "0.0009"});
 }
 

@@ -64,7 +64,9 @@ FlowStatistics stream(const FlowWindow& window) {
 }
 
 TEST(FlowStatistics, UniformStream) {
-  const FlowStatistics s = stream({});
+  FlowWindow window;
+  window.from_m = 0.2;
+  const FlowStatistics s = stream(window);
   const auto slice = s.flow_slice_m({});
   ASSERT_TRUE(slice);
   EXPECT_NEAR(slice->to - slice->from, 0.01, 1e-12);
@@ -91,11 +93,13 @@ TEST(FlowStatistics, CountsOnlyTheEstablishedPart) {
   EXPECT_EQ(s.states().size(), 11U);
   const auto slice = s.flow_slice_m(Interval{0.1, 0.105});
   EXPECT_EQ(s.solids_flow_kg_s(*slice).size(), 7U);
-  EXPECT_EQ(s.profile().at(150).y.count(), 70U);
+  EXPECT_EQ(s.profile().at(150).up.count(), 70U);
 }
 
 TEST(FlowStatistics, SlicesAreWidenedToWholeOnes) {
-  const FlowStatistics s = stream({});
+  FlowWindow window;
+  window.from_m = 0.2;
+  const FlowStatistics s = stream(window);
   const auto slice = s.flow_slice_m(Interval{0.2004, 0.2041});
   EXPECT_NEAR(slice->from, 0.200, 1e-12);
   EXPECT_NEAR(slice->to, 0.205, 1e-12);
@@ -129,10 +133,10 @@ TEST(FlowStatistics, WidthOfAGaussianStream) {
     // Standard error of a quantile, both ends: sqrt(2 q(1 - q)/n)/density; four of them.
     const double q = 0.5 * (1.0 + share);
     const double error = 4.0 * std::sqrt(2.0 * q * (1.0 - q) / kParticles) / pdf(normal, half);
-    EXPECT_NEAR(slice.x.central_width(share) / kSigma_m, 2.0 * half, error) << share;
-    EXPECT_NEAR(slice.y.central_width(share) / kSigma_m, 4.0 * half, 2.0 * error) << share;
+    EXPECT_NEAR(slice.across.central_width(share) / kSigma_m, 2.0 * half, error) << share;
+    EXPECT_NEAR(slice.up.central_width(share) / kSigma_m, 4.0 * half, 2.0 * error) << share;
   }
-  EXPECT_NEAR(slice.x.quantile(0.5), kCentre_m, 4.0 * 1.26 * kSigma_m / std::sqrt(kParticles));
+  EXPECT_NEAR(slice.across.quantile(0.5), kCentre_m, 4.0 * 1.26 * kSigma_m / std::sqrt(kParticles));
 }
 
 TEST(PlaceDistribution, QuantilesOfAUniformOneWithinAClass) {
@@ -152,7 +156,7 @@ TEST(FlowStatistics, RefusesUnusableWindowsAndTimes) {
     return [window] { FlowStatistics s(window); };
   };
   expect_refusal(with([](FlowWindow& w) { w.slice_m = 0.0; }), {"--slice-thickness"});
-  expect_refusal(with([](FlowWindow& w) { w.to_z_m = 0.1; }), {"--to-z"});
+  expect_refusal(with([](FlowWindow& w) { w.from_m = 0.2, w.to_m = 0.1; }), {"--to-z"});
   expect_refusal(with([](FlowWindow& w) { w.from_s = std::nan(""); }), {"--from"});
   FlowStatistics s({});
   s.add(0.0, {0, {}, stream_at(0)});

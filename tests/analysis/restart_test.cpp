@@ -60,6 +60,7 @@ class Restart : public ::testing::Test {
   void SetUp() override {
     write_in(folder_, "in.pipe", "timestep 2e-7\n");
     write_in(folder_, "system/controlDict", kControl);
+    write_in(folder_, "system/caseSettings", "endTime 0.1;\n");
     write_in(folder_, "0/U", "no last line");
     for (const int k : {1, 2, 3}) {
       fields(time(k));
@@ -139,6 +140,7 @@ TEST_F(Restart, CompressedFieldsAreReadToTheirEnd) {
 }
 
 TEST_F(Restart, RestartFilesMayBeginAsTheFixSays) {
+  POWDERLINK_NEEDS_FOAM();
   fs::create_directories(folder_.path() / "checkpoints");
   for (const int k : {1, 2}) {
     fs::rename(folder_.path() / fmt::format("post/restart.{}", 50000 * k),
@@ -181,6 +183,7 @@ TEST_F(Restart, HalfWrittenOrForeignRestartFiles) {
 }
 
 TEST_F(Restart, TimesThatDoNotMeet) {
+  POWDERLINK_NEEDS_FOAM();
   fs::rename(folder_.path() / "post/restart.150000", folder_.path() / "post/restart.160000");
   write_in(folder_, "post/restart.160000", restart_text(160000));
   expect_last("0.02", 100000, "restart.160000: no fields of time 0.032 s");
@@ -191,6 +194,7 @@ TEST_F(Restart, TimesThatDoNotMeet) {
 }
 
 TEST_F(Restart, ClocksMayDifferByWhatTheSolverHasWritten) {
+  POWDERLINK_NEEDS_FOAM();
   // The bed had settled for 0.01 s before: fields of 0.02 s belong to step 150000.
   for (const char* t : {"0.02", "0.03"}) {
     write_in(folder_, std::string(t) + "/momentumBalance", kClosed);
@@ -290,6 +294,7 @@ TEST_F(Restart, ReconstructedTimesBesideTheirProcessors) {
 }
 
 TEST_F(Restart, RoundedNamesAreReadExactly) {
+  POWDERLINK_NEEDS_FOAM();
   // Four digits in the name; the file in it says 0.06123444 s, which is step 306172.2.
   fields("0.06123");
   write_in(folder_, "0.06123/uniform/time", "value           0.06123444;\n");
@@ -331,6 +336,7 @@ TEST_F(Restart, NothingCompleteSaysWhatIsMissing) {
 }
 
 TEST_F(Restart, PrepareMovesAsideAndLinksButDeletesNothing) {
+  POWDERLINK_NEEDS_FOAM();
   write_in(folder_, "0.03/phi", "");
   const auto count = [&] {
     std::size_t files = 0;
@@ -358,6 +364,7 @@ TEST_F(Restart, PrepareMovesAsideAndLinksButDeletesNothing) {
 }
 
 TEST_F(Restart, PrepareOfProcessorsKeepsThemApart) {
+  POWDERLINK_NEEDS_FOAM();
   for (const char* root : {"processor0/", "processor1/"}) {
     for (const int k : {1, 2, 3}) fields(time(k), root);
   }
@@ -368,11 +375,32 @@ TEST_F(Restart, PrepareOfProcessorsKeepsThemApart) {
 }
 
 TEST_F(Restart, PrepareRefusesBeforeItChangesAnything) {
+  POWDERLINK_NEEDS_FOAM();
   write_in(folder_, "0.03/phi", "");
   write_in(folder_, "system/controlDict", "#include \"settings\"\n");
-  expect_refusal([&] { prepare_restart(folder_.path(), find()); }, {"no entry startFrom"});
+  expect_refusal([&] { prepare_restart(folder_.path(), find()); },
+                 {"system/controlDict", "settings"});
   EXPECT_TRUE(fs::exists(folder_.path() / "0.03"));
   EXPECT_FALSE(fs::exists(folder_.path() / "post/restart.latest"));
+}
+
+TEST_F(Restart, PrepareKeepsLinksRightsAndWhatIsRight) {
+  POWDERLINK_NEEDS_FOAM();
+  // OpenFOAM's default is latestTime.
+  const char* const quiet = "stopAt endTime; startTime 0; // startFrom startTime;\n";
+  write_in(folder_, "system/controlDict", quiet);
+  const fs::path control = folder_.path() / "system/controlDict";
+  prepare_restart(folder_.path(), find());
+  EXPECT_EQ(read_file(control), quiet);
+
+  fs::rename(control, folder_.path() / "lent");
+  write_in(folder_, "lent", "stopAt endTime; startFrom startTime; startTime 0;\n");
+  fs::create_symlink("../lent", control);
+  fs::permissions(folder_.path() / "lent", fs::perms::owner_read | fs::perms::owner_write);
+  prepare_restart(folder_.path(), find());
+  EXPECT_TRUE(fs::is_symlink(control));
+  EXPECT_EQ(read_file(control), "stopAt endTime; startFrom latestTime; startTime 0;\n");
+  EXPECT_EQ(fs::status(control).permissions(), fs::perms::owner_read | fs::perms::owner_write);
 }
 
 }  // namespace

@@ -20,8 +20,8 @@ new_case() {  # name, settled steps
   "$root/scripts/page_files.sh" "$root/docs/first_coupled_job.md" "$work/$1"
   cd "$work/$1"
   mkdir post
-  foamDictionary -disableFunctionEntries -entry endTime -set 0.005 system/controlDict >/dev/null
-  foamDictionary -disableFunctionEntries -entry writeInterval -set 0.0025 system/controlDict >/dev/null
+  foamDictionary -disableFunctionEntries -entry endTime -set 0.005 system/controlDict >/dev/null 2>&1
+  foamDictionary -disableFunctionEntries -entry writeInterval -set 0.0025 system/controlDict >/dev/null 2>&1
   # Weight and gas begin together.
   awk -v settled="$2" -v steps=$gas_steps '
     /^fix +weight/ { weight = $0; next }
@@ -51,8 +51,8 @@ mpi() {  # ranks of LIGGGHTS, of powderFoam
 
 socket() {
   local job
-  foamDictionary -entry particleMomentum/transport -set socket constant/couplingProperties >/dev/null
-  sed -i 's/^fix  *gas .*/& transport socket/' in.duct
+  foamDictionary -entry particleMomentum/transport -set socket constant/couplingProperties >/dev/null 2>&1
+  sed -i 's/every 100/& transport socket/' in.duct
   timeout $limit_s "$bin/powderFoam" >solver.txt 2>&1 &
   job=$!
   timeout $limit_s "$bin/liggghts-powderlink" -in in.duct >screen.txt 2>&1 || failed "LIGGGHTS in $PWD"
@@ -97,8 +97,8 @@ mpi 1 1
 settled_like_twin $same
 new_case ranks $settled_steps
 # Compressed and binary, in processors only: written by OpenFOAM, read by its own classes.
-foamDictionary -disableFunctionEntries -entry writeFormat -set binary system/controlDict >/dev/null
-foamDictionary -disableFunctionEntries -entry writeCompression -set on system/controlDict >/dev/null
+foamDictionary -disableFunctionEntries -entry writeFormat -set binary system/controlDict >/dev/null 2>&1
+foamDictionary -disableFunctionEntries -entry writeCompression -set on system/controlDict >/dev/null 2>&1
 mpi 2 2
 rm -rf constant/polyMesh
 settled_like_twin $ranks_apart

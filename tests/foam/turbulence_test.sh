@@ -235,7 +235,7 @@ RAS { RASModel kEpsilon; turbulence on; printCoeffs off; kEpsilonCoeffs { C2 1.9
     sed -i -E '/^ *inlet/,/\}/ s/type +[^;]*;/type zeroGradient;/' 0/p
     sed -i '/^functions/,$d' system/controlDict
     solve
-    grep -q "the patches (inlet) with the condition noSlip are not of type wall" log || failed "a closed inlet"
+    grep -qF "the patches 1(inlet) with the condition noSlip are not of type wall" log || failed "a closed inlet"
     ;;
   refusals)
     new_pipe bad RAS kEpsilon

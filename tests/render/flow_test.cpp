@@ -37,6 +37,13 @@ std::string foam(const std::string& type, const std::string& object, const std::
 constexpr double kSide_m = 1e-3, kGasSpeed_m_s = 10.0;
 constexpr int kAcross = 4, kAlong = 16;
 
+/// Axes of the files: z, or the same turned so that it lies along x (and x, y along y, z).
+bool along_x = false;
+
+std::string place_text(double x, double y, double z) {
+  return along_x ? fmt::format("{:g} {:g} {:g}", z, x, y) : fmt::format("{:g} {:g} {:g}", x, y, z);
+}
+
 /// A channel of square section from z0 on, kAlong cells of a quarter of its side long.
 void write_mesh(const fs::path& root, double z0_m) {
   const double h = kSide_m / kAcross;
@@ -48,8 +55,8 @@ void write_mesh(const fs::path& root, double z0_m) {
   for (int k = 0; k <= kAlong; ++k) {
     for (int j = 0; j <= kAcross; ++j) {
       for (int i = 0; i <= kAcross; ++i) {
-        points += fmt::format("({:g} {:g} {:g})\n", i * h - 0.5 * kSide_m, j * h - 0.5 * kSide_m,
-                              z0_m + k * h);
+        points +=
+            "(" + place_text(i * h - 0.5 * kSide_m, j * h - 0.5 * kSide_m, z0_m + k * h) + ")\n";
       }
     }
   }
@@ -121,9 +128,9 @@ void write_mesh(const fs::path& root, double z0_m) {
 void write_gas(const fs::path& root, const std::string& time, double speed_m_s) {
   write(root / time / "U",
         foam("volVectorField", "U",
-             fmt::format("dimensions [0 1 -1 0 0 0 0];\ninternalField uniform (0 0 {:g});\n"
+             fmt::format("dimensions [0 1 -1 0 0 0 0];\ninternalField uniform ({});\n"
                          "boundaryField\n{{\n  walls {{ type zeroGradient; }}\n}}\n",
-                         speed_m_s)));
+                         place_text(0, 0, speed_m_s))));
 }
 
 /// Two dumps, at 0 and 0.01 s; the particles rest at first and then fly with 2 m/s.
@@ -136,8 +143,9 @@ void write_particles(const fs::path& root) {
         "ITEM: ATOMS id type x y z vx vy vz radius mass \n",
         step);
     for (int i = 0; i < 20; ++i) {
-      text += fmt::format("{} 1 -2e-4 {:g} {:g} 0 0 {} 6e-05 1e-9 \n", i + 1, 1e-4 * (i % 7 - 3),
-                          1e-4 + 1.9e-4 * i, step == 0 ? 0 : 2);
+      text += fmt::format("{} 1 {} {} 6e-05 1e-9 \n", i + 1,
+                          place_text(-2e-4, 1e-4 * (i % 7 - 3), 1e-4 + 1.9e-4 * i),
+                          place_text(0, 0, step == 0 ? 0 : 2));
     }
     write(root / fmt::format("post/particles_{}.dump", step), text);
   }
@@ -209,6 +217,25 @@ TEST_F(Flow, SeriesHasPhysicalTimesAndReadableArrays) {
   EXPECT_NEAR(data->GetPoint(3)[2], 1e-4 + 3 * 1.9e-4, 1e-12);
 }
 
+TEST_F(Flow, DumpsAreOnTheClockOfTheGas) {
+  // NOLINTNEXTLINE(concurrency-mt-unsafe): one thread
+  if (std::getenv("POWDERLINK_FOAM") == nullptr) GTEST_SKIP() << "built without OpenFOAM";
+  write(root() / "0.01/uniform/couplingClock",
+        foam("dictionary", "couplingClock", "particlesAhead 0.004; // settled"));
+  const auto dumps = dumps_with_times(root(), {});
+  ASSERT_EQ(dumps.size(), 2U);
+  EXPECT_NEAR(dumps[0].time_s, -0.004, 1e-12);
+  EXPECT_NEAR(dumps[1].time_s, 0.006, 1e-12);
+  write_flow_series(root(), {});
+  EXPECT_NE(text_of(root() / "particles.pvd").find("timestep=\"0.006\""), std::string::npos);
+  // Before the gas came, all rested.
+  with_gas();
+  options_.time_s = 0.0;
+  EXPECT_EQ(draw().dark_red, 0);
+  options_.time_s = 0.002;
+  EXPECT_GT(draw().dark_red, 200);
+}
+
 TEST_F(Flow, GasSliceTakesTheNearestTime) {
   with_gas();
   for (const auto& [wanted, time, speed] :
@@ -256,6 +283,21 @@ TEST_F(Flow, PictureShowsGasAndParticles) {
   EXPECT_GT(last.dark_red, 200);
   options_.time_s = 0.0;
   EXPECT_EQ(draw().dark_red, 0);
+}
+
+TEST_F(Flow, PictureOfTheSameChannelAlongAnotherAxis) {
+  // NOLINTNEXTLINE(concurrency-mt-unsafe): one thread
+  if (std::getenv("POWDERLINK_FOAM") == nullptr) GTEST_SKIP() << "built without OpenFOAM";
+  constexpr double kEdges = 0.01;  // pixels that rounding moves from one colour to the other
+  with_gas();
+  const Pixels along_z = draw();
+  along_x = true;
+  write_particles(root());
+  with_gas();
+  const Pixels turned = draw();
+  along_x = false;
+  EXPECT_NEAR(turned.blue, along_z.blue, kEdges * along_z.blue);
+  EXPECT_NEAR(turned.warm, along_z.warm, kEdges * along_z.warm);
 }
 
 TEST_F(Flow, PictureWithoutGasAndOfOneStrip) {
