@@ -3,7 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "models/invalid_input.h"
 
@@ -35,15 +37,25 @@ double require_velocity_m_s(double value, const std::string& where) {
 double require_diameter_um(double value, const std::string& where) {
   if (!(value >= kSmallest_um && value <= kLargest_um)) {
     std::string to_do = "give the diameter in micrometres, such as 46";
-    const auto ask = [&](const char* unit, double as_um) {
-      if (as_um >= kSmallest_um && as_um <= kLargest_um) {
-        to_do = fmt::format("were {} given where micrometres are meant? write {:g}", unit, as_um);
-        return true;
-      }
-      return false;
+    struct Guess {
+      const char* what;
+      double in_um;
     };
-    ask("metres", value * 1e6) || ask("nanometres", value * 1e-3) ||
-        ask("values 1e6 times too large", value * 1e-6);
+    constexpr Guess guesses[] = {{"metres", 1e6},
+                                 {"millimetres", 1e3},
+                                 {"nanometres", 1e-3},
+                                 {"values 1e6 times too large", 1e-6}};
+    // 6.6 um may be 0.0066 mm or 6600 um 0.0066 m: powders first.
+    bool found = false;
+    for (const auto& [low, high] : {std::pair(kUsualDiameter.low, kUsualDiameter.high),
+                                    std::pair(kSmallest_um, kLargest_um)}) {
+      for (const Guess& g : guesses) {
+        const double as_um = value * g.in_um;
+        if (found || !(as_um >= low && as_um <= high)) continue;
+        to_do = fmt::format("were {} given where micrometres are meant? write {:g}", g.what, as_um);
+        found = true;
+      }
+    }
     throw InvalidInput(where + ": diameter", number(value) + " um", "0.01 to 10000 um", to_do);
   }
   return value;
@@ -67,6 +79,19 @@ double require_adhesive_energy_J_m2(double value, const std::string& where) {
                        "give the work of adhesion of the interface, 0.01 to 1 for dry solids");
   }
   return value;
+}
+
+std::string unit_question(std::vector<double> values, const UsualRange& usual) {
+  if (values.empty()) return "";
+  std::sort(values.begin(), values.end());
+  const bool small = values.back()<usual.low, large = values.front()> usual.high;
+  const double factor = small ? 1e3 : 1e-3;
+  const double middle = values[values.size() / 2];
+  if ((!small && !large) || factor * middle < usual.low || factor * middle > usual.high) return "";
+  return fmt::format(
+      "all values are {} {:g} {}: were {} given where {} are meant? then write {:g} for {:g}",
+      small ? "below" : "above", small ? usual.low : usual.high, usual.unit,
+      small ? usual.larger_unit : usual.smaller_unit, usual.unit, factor * middle, middle);
 }
 
 std::string adhesive_energy_warning(double adhesive_energy_J_m2, const std::string& where) {

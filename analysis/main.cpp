@@ -5,6 +5,8 @@
 #include <exception>
 
 #include "analysis/commands/commands.h"
+#include "analysis/library_logs.h"
+#include "analysis/text_encoding.h"
 
 namespace {
 
@@ -44,10 +46,12 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  powderlink::analysis::silence_library_logs();
   try {
     return run(argc, argv);
   } catch (const std::exception& e) {
-    std::fprintf(stderr, "powderlink: %s\n", e.what());
+    // Names and cells of users may hold anything.
+    std::fprintf(stderr, "powderlink: %s\n", powderlink::analysis::printable(e.what()).c_str());
     return kFailed;
   }
 }

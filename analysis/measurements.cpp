@@ -10,6 +10,7 @@
 
 #include "analysis/checks.h"
 #include "analysis/laboratory/grain_drops.h"
+#include "analysis/measurement_names.h"
 #include "models/invalid_input.h"
 
 namespace powderlink::analysis {
@@ -91,6 +92,15 @@ std::vector<Column> columns_of(KatRow::Kind kind) {
   return list;
 }
 
+/// Every name that any kind of table knows.
+std::vector<std::string> known_names() {
+  std::vector<std::string> names = grain_drop_columns();
+  for (const auto kind : {KatRow::Kind::critical_diameter, KatRow::Kind::retained_share,
+                          KatRow::Kind::residual_speed})
+    for (const Column& c : columns_of(kind)) names.emplace_back(c.name);
+  return names;
+}
+
 KatRow::Kind kind_of(const CsvTable& table) {
   if (table.find_column("count_before") || table.find_column("count_after"))
     return KatRow::Kind::retained_share;
@@ -137,6 +147,43 @@ void check_counts(const Measurements& m) {
   }
 }
 
+void require_columns(const CsvTable& table, const std::vector<Column>& columns) {
+  std::vector<std::string> missing;
+  for (const Column& c : columns)
+    if (c.needed && !table.find_column(c.name)) missing.push_back(fmt::format("'{}'", c.name));
+  if (missing.empty()) return;
+  std::string given = fmt::format("columns {}", fmt::join(table.columns, ", "));
+  std::string to_do = "add the column or rename the one that holds it";
+  for (const Column& c : columns)
+    if (c.needed && !table.find_column(c.name)) given += same_in_other_unit(table, c.name);
+  if (table.columns.size() == 1) to_do = "separate the cells by commas, semicolons or tabs";
+  throw InvalidInput(fmt::format("{}: column{} {}", table.file, missing.size() == 1 ? "" : "s",
+                                 fmt::join(missing, ", ")),
+                     given,
+                     kind_of(table) == KatRow::Kind::critical_diameter
+                         ? "impact_velocity_m_s and critical_diameter_um are needed"
+                         : "see the columns of each kind of table in docs/reference.md",
+                     to_do);
+}
+
+/// Numbers that are possible, and a thousand times off what such tests have.
+void doubt_units(Measurements& m) {
+  const auto doubt = [&](const char* column, const UsualRange& usual, auto value) {
+    std::vector<double> values;
+    for (const KatRow& row : m.rows)
+      if (const std::optional<double> x = value(row)) values.push_back(*x);
+    const std::string question = unit_question(values, usual);
+    if (!question.empty())
+      m.notes.push_back(fmt::format("{}, column '{}': {}", m.table.file, column, question));
+  };
+  doubt("impact_velocity_m_s", kUsualVelocity,
+        [](const KatRow& r) { return std::optional(r.impact_velocity_m_s); });
+  doubt("critical_diameter_um", kUsualDiameter,
+        [](const KatRow& r) { return r.critical_diameter_um; });
+  doubt("diameter_um", kUsualDiameter, [](const KatRow& r) { return r.diameter_um; });
+  doubt("contact_time_us", kUsualContactTime, [](const KatRow& r) { return r.contact_time_us; });
+}
+
 void keep_numbers(Measurements& m, const std::string& name) {
   const std::size_t column = *m.table.find_column(name);
   std::vector<double> values;
@@ -153,26 +200,17 @@ void keep_numbers(Measurements& m, const std::string& name) {
 Measurements read_measurements(const std::filesystem::path& file) {
   Measurements m;
   m.table = read_csv(file);
+  name_columns(m.table, known_names());
   if (is_grain_drops(m.table)) {
-    m.rows = grain_drop_rows(m.table, m.unknown_columns);
+    m.rows = grain_drop_rows(m.table, m.unknown_columns, m.notes);
     return m;
   }
   m.rows.resize(m.table.rows.size());
   const std::vector<Column> columns = columns_of(kind_of(m.table));
+  require_columns(m.table, columns);
   for (const Column& c : columns) {
     const auto column = m.table.find_column(c.name);
-    if (!column) {
-      if (!c.needed) continue;
-      const bool semicolons =
-          m.table.columns.size() == 1 && m.table.columns[0].find(';') != std::string::npos;
-      throw InvalidInput(m.table.file + ": column '" + c.name + "'",
-                         fmt::format("columns {}", fmt::join(m.table.columns, ", ")),
-                         kind_of(m.table) == KatRow::Kind::critical_diameter
-                             ? "impact_velocity_m_s and critical_diameter_um are needed"
-                             : "see the columns of each kind of table in docs/reference.md",
-                         semicolons ? "separate the cells by commas, not semicolons"
-                                    : "add the column or rename the one that holds it");
-    }
+    if (!column) continue;
     for (std::size_t i = 0; i < m.rows.size(); ++i) {
       const CsvTable::Row& row = m.table.rows[i];
       c.store(m.rows[i], c.check(m.table.number(row, *column), m.table.place(row, *column)));
@@ -185,6 +223,7 @@ Measurements read_measurements(const std::filesystem::path& file) {
   for (const std::string& name : m.unknown_columns) keep_numbers(m, name);
   check_counts(m);
   check_sigmas(m);
+  doubt_units(m);
   return m;
 }
 

@@ -20,6 +20,7 @@
 ///   in all of them
 ///     contact_time_us                optional, measured contact of carrier and anvil
 ///     adhesive_energy_J_m2           optional, work of adhesion of the interface for this row
+/// Columns may be named otherwise (measurement_names.h); forms of tables: csv_table.h.
 /// Other columns are named in `unknown_columns` and kept, as numbers where all cells are.
 /// Errors: InvalidInput with file, line and column. Tests: tests/analysis/measurements_test.cpp
 #pragma once
@@ -62,6 +63,8 @@ struct Measurements {
   CsvTable table;
   std::vector<KatRow> rows;
   std::vector<std::string> unknown_columns;
+  std::vector<std::string>
+      notes;  ///< what a reader of the result should know: doubtful units and tables
 };
 
 Measurements read_measurements(const std::filesystem::path& file);

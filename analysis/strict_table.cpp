@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "analysis/file_text.h"
+#include "analysis/text_encoding.h"
 #include "models/invalid_input.h"
 
 namespace powderlink::analysis {
@@ -28,7 +29,7 @@ toml::table read_toml(const std::filesystem::path& file, const std::string& what
                       const std::string& to_do) {
   if (!std::filesystem::is_regular_file(file))
     throw InvalidInput(what, file.string(), "a TOML file that can be read", to_do);
-  return parse_toml(file_text(file), file.string());
+  return parse_toml(decoded(file_text(file), file).utf8, file.string());
 }
 
 StrictTable::StrictTable(const toml::table* table, std::string file, std::string name,

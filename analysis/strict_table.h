@@ -13,7 +13,8 @@
 
 namespace powderlink::analysis {
 
-/// A TOML file, or InvalidInput: one that is not there, named `what`, or with line and column.
+/// A TOML file in any encoding of text_encoding.h, or InvalidInput: one that is not there, named
+/// `what`, or with line and column.
 toml::table read_toml(const std::filesystem::path& file, const std::string& what,
                       const std::string& to_do);
 /// The same of a text; `where` it was given.

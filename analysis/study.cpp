@@ -193,6 +193,7 @@ void read_rows(const StrictTable& root, const StrictTable& study_table, const St
       Measurements m = read_measurements(study.measurements.back());
       for (KatRow& row : m.rows) row.table = study.measurements.size() - 1;
       study.rows.insert(study.rows.end(), m.rows.begin(), m.rows.end());
+      study.notes.insert(study.notes.end(), m.notes.begin(), m.notes.end());
       if (!m.unknown_columns.empty()) {
         study.notes.push_back(fmt::format("{}: columns that are not used: {}", m.table.file,
                                           fmt::join(m.unknown_columns, ", ")));

@@ -105,6 +105,7 @@ void run(const CLI::App& c, const Options& o) {
   });
   for (const std::string& note : grains.notes) fmt::print(stderr, "powderlink: {}\n", note);
   input.retention = read_retention(c, o, grains);
+  input.digits_um2 = grains.digits_um2;
   input.before_um = std::move(grains.before_um);
   input.after_um = std::move(grains.after_um);
 

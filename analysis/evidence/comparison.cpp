@@ -52,6 +52,44 @@ std::vector<std::string> doubts(const Comparison& c, const Study& study) {
   return words;
 }
 
+/// Critical diameters in another unit fit some other Gamma, or none within its bounds: where the model
+/// is far off, the same rows are fitted again a thousand and a million times larger and smaller.
+std::string doubtful_unit(const Comparison& c, const Study& study, const Observations& measured) {
+  constexpr double far = 3.0;    // model over measured, or the inverse, in half of the rows
+  constexpr double close = 0.3;  // rms relative error
+  std::vector<double> off;
+  for (std::size_t i = 0; i < c.model.size(); ++i) {
+    if (measured.list[i].row.kind() == KatRow::Kind::critical_diameter)
+      off.push_back(std::fabs(std::log(c.model[i] / measured.list[i].measured)));
+  }
+  if (off.empty()) return "";
+  const auto middle = off.begin() + static_cast<long>(off.size() / 2);
+  std::nth_element(off.begin(), middle, off.end());
+  if (*middle < std::log(far)) return "";
+  struct Scale {
+    double factor;
+    const char* unit;
+  };
+  for (const Scale& s : {Scale{1e3, "millimetres"}, Scale{1e-3, "nanometres"}, Scale{1e6, "metres"},
+                         Scale{1e-6, "picometres"}}) {
+    Study scaled = study;
+    for (KatRow& row : scaled.rows) {
+      if (row.critical_diameter_um) *row.critical_diameter_um *= s.factor;
+      if (row.critical_diameter_sigma_um) *row.critical_diameter_sigma_um *= s.factor;
+    }
+    const Observations observations = observe(scaled);
+    const Candidate fit = fit_candidate(scaled, observations, {});
+    const double rms = rms_relative_error(fit.rms);
+    if (rms < close) {
+      return fmt::format(
+          "with critical diameters {:g} times as large the model is off by {:.1f} % only: were {} "
+          "given where micrometres are meant?",
+          s.factor, 100.0 * rms, s.unit);
+    }
+  }
+  return "";
+}
+
 /// "2 m/s (66.4 um)", "2 m/s, grains of 50 um (share 0.4)", "2 m/s, grains of 50 um (0.7 m/s)".
 std::string row_text(const Observation& o) {
   const bool share = o.row.kind() == KatRow::Kind::retained_share;
@@ -101,6 +139,8 @@ void judge(Comparison& c, const Study& study, const Observations& observations,
               : doubtful.empty() ? Comparison::Verdict::agrees
                                  : Comparison::Verdict::undecided;
   c.words = {"judged with " + observations.noise_text};
+  if (const std::string doubt = doubtful_unit(c, study, observations); !doubt.empty())
+    c.words.push_back(doubt);
   c.words.insert(c.words.end(), doubtful.begin(), doubtful.end());
   std::vector<std::string> far;
   for (std::size_t i = 0; i < n; ++i) {

@@ -60,7 +60,7 @@ class Cells {
   const CsvTable::Row& row_;
 };
 
-void add_drop(const Cells& cells, std::vector<KatRow>& rows) {
+void add_drop(const Cells& cells, std::vector<KatRow>& rows, std::vector<std::string>& notes) {
   KatRow drop;
   drop.impact_velocity_m_s = require_velocity_m_s(*cells.number("impact_velocity_m_s"),
                                                   cells.place("impact_velocity_m_s"));
@@ -74,6 +74,8 @@ void add_drop(const Cells& cells, std::vector<KatRow>& rows) {
   const GrainDiameters grains =
       read_grains({cells.patterns("before_files"), cells.patterns("after_files"),
                    cells.number("pixel_size_um")});
+  for (const std::string& note : grains.notes)
+    if (std::find(notes.begin(), notes.end(), note) == notes.end()) notes.push_back(note);
   RetentionOptions options;
   options.nominal_ratio = grains.ratio_of_files();
   options.area_ratio = cells.number("area_ratio");
@@ -98,7 +100,10 @@ bool is_grain_drops(const CsvTable& table) {
   return table.find_column("before_files") || table.find_column("after_files");
 }
 
-std::vector<KatRow> grain_drop_rows(const CsvTable& table, std::vector<std::string>& unknown) {
+const std::vector<std::string>& grain_drop_columns() { return kColumns; }
+
+std::vector<KatRow> grain_drop_rows(const CsvTable& table, std::vector<std::string>& unknown,
+                                    std::vector<std::string>& notes) {
   for (std::size_t i = 0; i < kNeeded; ++i) {
     if (table.find_column(kColumns[i])) continue;
     throw InvalidInput(table.file + ": column '" + kColumns[i] + "'",
@@ -110,7 +115,7 @@ std::vector<KatRow> grain_drop_rows(const CsvTable& table, std::vector<std::stri
     if (std::find(kColumns.begin(), kColumns.end(), name) == kColumns.end())
       unknown.push_back(name);
   std::vector<KatRow> rows;
-  for (const CsvTable::Row& row : table.rows) add_drop(Cells(table, row), rows);
+  for (const CsvTable::Row& row : table.rows) add_drop(Cells(table, row), rows, notes);
   return rows;
 }
 

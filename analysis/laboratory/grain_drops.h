@@ -15,7 +15,12 @@ namespace powderlink::analysis {
 
 bool is_grain_drops(const CsvTable& table);
 
+/// Needed ones first.
+const std::vector<std::string>& grain_drop_columns();
+
 /// \param unknown  receives the names of columns that are not used
-std::vector<KatRow> grain_drop_rows(const CsvTable& table, std::vector<std::string>& unknown);
+/// \param notes    receives what the tables of grains leave in doubt
+std::vector<KatRow> grain_drop_rows(const CsvTable& table, std::vector<std::string>& unknown,
+                                    std::vector<std::string>& notes);
 
 }  // namespace powderlink::analysis

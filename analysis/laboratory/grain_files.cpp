@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/laboratory/grain_files.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <set>
 
 #include "analysis/file_patterns.h"
 #include "analysis/particles/picture_names.h"
+#include "analysis/particles/table_doubts.h"
 #include "models/invalid_input.h"
 
 namespace powderlink::analysis {
@@ -28,6 +31,23 @@ ParticleSet read_tables_of_grains(const std::vector<fs::path>& files,
   return read_particle_tables(files, pixel_size_um);
 }
 
+namespace {
+
+/// Grains keep their shape in a drop: pictures of which one is lost in noise do not.
+std::string shapes_differ(const std::vector<Particle>& before, const std::vector<Particle>& after) {
+  constexpr double alike = 0.75;  // of the higher median circularity
+  const double b = median_circularity(before), a = median_circularity(after);
+  if (before.empty() || after.empty() || std::min(a, b) >= alike * std::max(a, b)) return "";
+  return fmt::format(
+      "the grains {} the drop have a median circularity of {:.2f}, those {} of {:.2f}: one of the "
+      "two shows noise or clusters; d_c is not to be trusted. Look at their outlines, and take "
+      "another "
+      "threshold (Otsu for pictures with few grains)",
+      a < b ? "after" : "before", std::min(a, b), a < b ? "before" : "after", std::max(a, b));
+}
+
+}  // namespace
+
 GrainDiameters read_grains(const GrainFiles& given, const ParticleReader& reader) {
   const std::vector<fs::path> before = expand_patterns(given.before);
   std::vector<fs::path> files = before;
@@ -44,15 +64,22 @@ GrainDiameters read_grains(const GrainFiles& given, const ParticleReader& reader
   GrainDiameters d;
   d.pixel_size_um = set.pixel_size_um;
   d.notes = set.notes;
+  if (given.by_perimeter)
+    d.notes.insert(d.notes.end(), set.perimeter_notes.begin(), set.perimeter_notes.end());
+  d.digits_um2 = digits_um2(set.area_step_um2, given.by_perimeter);
   std::vector<bool> is_before;  // a reader may change the order
   for (const std::string& file : set.files) {
     is_before.push_back(std::find(before.begin(), before.end(), fs::path(file)) != before.end());
     (is_before.back() ? d.before_files : d.after_files).push_back(file);
   }
+  std::vector<Particle> before_grains, after_grains;
   for (const Particle& p : set.particles) {
     (is_before[p.file] ? d.before_um : d.after_um)
         .push_back(given.by_perimeter ? p.perimeter_diameter_um() : p.area_diameter_um());
+    (is_before[p.file] ? before_grains : after_grains).push_back(p);
   }
+  if (const std::string doubt = shapes_differ(before_grains, after_grains); !doubt.empty())
+    d.notes.push_back(doubt);
   return d;
 }
 

@@ -2,7 +2,8 @@
 /// \file grain_files.h
 /// Diameters of the grains before and after a drop, from tables of grains (particles/particle_table.h)
 /// or, with a reader that knows them, from micrographs (psd/grain_source.h).
-/// Both sets are read as one, so that different pixel sizes are refused between them too.
+/// Both sets are read as one, so that different pixel sizes are refused between them too; shapes that
+/// differ much between them are noted, as one of them then shows noise.
 /// Tests: tests/analysis/kat_analyse_command_test.cpp, tests/psd/kat_pictures_test.cpp
 #pragma once
 
@@ -26,6 +27,7 @@ struct GrainDiameters {
   std::vector<std::string> before_files, after_files;
   std::optional<double> pixel_size_um;
   std::vector<std::string> notes;
+  double digits_um2 = 0.0;  ///< a diameter d is known to +-digits_um2/d from the printed digits
 
   /// Area seen after over that before, if every file shows the same area.
   double ratio_of_files() const;

@@ -76,6 +76,13 @@ std::vector<std::string> disagreements(const std::vector<MethodResult>& methods)
 KatAnalysis analyse_kat(const KatAnalysisInput& in) {
   KatAnalysis a;
   a.retention = analyse_retention(in.before_um, in.after_um, in.retention);
+  if (in.digits_um2 > 0.0) {
+    for (Estimate* e : {&a.retention.critical, &a.retention.truncation, &a.retention.half_point,
+                        &a.retention.largest_remaining}) {
+      e->low -= in.digits_um2 / e->low;
+      e->high += in.digits_um2 / e->high;
+    }
+  }
   a.drop = uncertain_drop(in, a.retention.critical);
   a.methods = all_methods(a.drop);
   a.warnings = a.retention.warnings;

@@ -18,6 +18,7 @@ struct KatAnalysisInput {
   // Standard deviations; 0: taken as exact.
   double velocity_sigma_m_s = 0.0, contact_time_sigma_s = 0.0, deceleration_sigma_m_s2 = 0.0;
   RetentionOptions retention;
+  double digits_um2 = 0.0;  ///< a diameter d is known to +-digits_um2/d (grain_files.h)
 };
 
 struct MethodResult {

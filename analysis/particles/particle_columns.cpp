@@ -7,61 +7,80 @@
 #include <map>
 #include <regex>
 
+#include "analysis/csv_units.h"
 #include "models/invalid_input.h"
 
 namespace powderlink::analysis {
 
 namespace {
 
-enum class Unit { none, pixel, um };
+constexpr double kPixels = 0.0;  // as a unit
 
 struct Name {
   std::string quantity;
-  Unit unit = Unit::none;
+  std::optional<double> unit_um;  ///< kPixels; empty: not stated
 };
 
-Unit unit_named(const std::string& text, const std::string& place) {
-  static const std::regex um("(um|µm|μm|microns?)(\\^?2|²)?");
-  static const std::regex pixel("(px|pixels?)(\\^?2|²)?");
-  if (std::regex_match(text, um)) return Unit::um;
-  if (std::regex_match(text, pixel)) return Unit::pixel;
-  throw InvalidInput(place, "the unit '" + text + "'", "um or pixel",
-                     "give the table in um or in pixels");
+double unit_named(const CsvTable& table, const std::string& text, const std::string& place) {
+  static const std::map<std::string, double> units = {
+      {"nm", 1e-3}, {"um", 1.0}, {"mm", 1e3}, {"cm", 1e4}, {"pixel", kPixels}};
+  std::string unit = plain_unit(text);
+  if (!unit.empty() && unit.back() == '2') unit.pop_back();
+  if (const auto found = units.find(unit); found != units.end()) return found->second;
+  const bool certain = table.encoding.compare(0, 3, "UTF") == 0;
+  throw InvalidInput(place, "the unit '" + text + "'", "um, mm, cm, nm or pixel",
+                     certain ? "give the table in um or in pixels"
+                             : "give the table in um or in pixels; its text was taken for " +
+                                   table.encoding + ": save it as UTF-8 if that is wrong");
 }
 
 /// "Perim." -> perim; "area_um2", "Area (µm²)" -> area in um.
-Name parsed(std::string column, const std::string& place) {
-  boost::algorithm::to_lower(column);
-  static const std::regex own("(area|perimeter|feret)_um2?");
+Name parsed(const CsvTable& table, std::size_t c, const std::string& place) {
+  const std::string column = boost::algorithm::to_lower_copy(table.columns[c]);
+  static const std::regex own("(area|perimeter|feret)_(nm|um|mm|cm)2?");
   static const std::regex bracketed(R"((area|perim\.?|perimeter|feret)\s*[\[(]\s*(.+?)\s*[\])])");
+  static const std::regex length("area|perim|perimeter|feret");
   std::smatch found;
-  if (std::regex_match(column, found, own)) return {found[1], Unit::um};
+  if (std::regex_match(column, found, own)) return {found[1], unit_named(table, found[2], place)};
   if (std::regex_match(column, found, bracketed)) {
     return {boost::algorithm::trim_right_copy_if(found[1].str(), boost::is_any_of(".")),
-            unit_named(found[2], place)};
+            unit_named(table, found[2], place)};
   }
-  boost::algorithm::trim_right_if(column, boost::is_any_of("."));
-  return {column, Unit::none};
+  Name name{boost::algorithm::trim_right_copy_if(column, boost::is_any_of(".")), std::nullopt};
+  if (!table.units.empty() && !table.units[c].empty() && std::regex_match(name.quantity, length))
+    name.unit_um = unit_named(table, table.units[c], table.file + ", row of units");
+  return name;
+}
+
+void refuse_summary(const CsvTable& table) {
+  if (!table.find_column("Count") ||
+      (!table.find_column("Total Area") && !table.find_column("Average Size")))
+    return;
+  throw InvalidInput(table.file + ", header", "ImageJ's table Summary, with one row per picture",
+                     "its table Results, with one row per grain",
+                     "in Analyze Particles tick \"Display results\", and save the table Results");
 }
 
 }  // namespace
 
 ParticleColumns find_particle_columns(const CsvTable& table) {
+  refuse_summary(table);
   std::map<std::string, std::size_t> at;
-  std::optional<Unit> unit;
+  std::optional<double> unit;
   const std::string header = table.file + ", header";
   for (std::size_t c = 0; c < table.columns.size(); ++c) {
-    const Name name = parsed(table.columns[c], header);
+    const Name name = parsed(table, c, header);
     at.emplace(name.quantity, c);
     static const std::regex length("area|perim|perimeter|feret");
     if (!std::regex_match(name.quantity, length)) continue;
-    if (unit && *unit != name.unit) {
+    const double stated = name.unit_um.value_or(kPixels);
+    if (unit && *unit != stated) {
       throw InvalidInput(
           header, "lengths in different units: " + boost::algorithm::join(table.columns, ", "),
           "Area, Perim. and Feret all in pixels or all in um",
           "export the table again with one unit");
     }
-    unit = name.unit;
+    unit = stated;
   }
   const auto find = [&](std::initializer_list<const char*> names) {
     std::optional<std::size_t> column;
@@ -77,7 +96,9 @@ ParticleColumns find_particle_columns(const CsvTable& table) {
   columns.roundness = find({"round", "roundness"});
   columns.feret = find({"feret"});
   columns.pixel_size = find({"pixel_size_um"});
-  columns.in_um = unit == Unit::um;
+  if (unit && *unit != kPixels) columns.unit_um = unit;
+  columns.imagej =
+      table.find_column("Area") && (table.find_column("Perim.") || table.find_column("Circ."));
   const auto area = find({"area"});
   if (!area || (!columns.perimeter && !columns.circularity)) {
     throw InvalidInput(header, "the columns " + boost::algorithm::join(table.columns, ", "),
@@ -90,6 +111,13 @@ ParticleColumns find_particle_columns(const CsvTable& table) {
   return columns;
 }
 
+std::optional<double> number_or_nothing(const CsvTable& table, const CsvTable::Row& row,
+                                        const std::optional<std::size_t>& column) {
+  if (!column || row.cells[*column].empty() || boost::algorithm::iequals(row.cells[*column], "nan"))
+    return std::nullopt;
+  return table.number(row, *column);
+}
+
 std::optional<double> stated_pixel_size_um(const CsvTable& table) {
   static const std::regex stated(R"(\s*pixel[ _]size(?:_um)?\s*[:=]\s*(\S+)\s*(?:um|µm|μm)?\s*)",
                                  std::regex::icase);
@@ -99,7 +127,9 @@ std::optional<double> stated_pixel_size_um(const CsvTable& table) {
     CsvTable cell;
     cell.file = table.file;
     cell.columns = {"# pixel_size_um"};
-    return cell.number({0, {found[1]}}, 0);
+    cell.rows = {{0, {found[1]}}};
+    cell.find_decimal_marks(';');
+    return cell.number(cell.rows.front(), 0);
   }
   return std::nullopt;
 }

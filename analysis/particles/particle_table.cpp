@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <boost/algorithm/string/predicate.hpp>
 
+#include "analysis/particles/imagej_perimeter.h"
 #include "analysis/particles/particle_columns.h"
+#include "analysis/particles/table_doubts.h"
 #include "models/invalid_input.h"
 
 namespace powderlink::analysis {
@@ -15,11 +17,12 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr double kSameSize = 1e-6;     // relative: the same pixel size, written with other digits
-constexpr double kCircDiffers = 0.03;  // of Circ. from 4 pi A/P^2: ImageJ rounds to 0.001
+constexpr double kSameSize = 1e-6;  // relative: the same pixel size, written with other digits
 
-constexpr CsvFormat kFormat{"table of grains", "check the path",
-                            "save the results in ImageJ with column headers", true};
+constexpr CsvFormat kFormat{
+    "table of grains", "check the path", "save the results in ImageJ with column headers",
+    "in ImageJ tick \"Save column headers\" in Edit > Options > Input/Output, and save the results "
+    "again"};
 
 std::string how_to_scale() {
   return "give --pixel-size-um X, the side of a pixel; 1 when the image had its scale in um and "
@@ -38,18 +41,14 @@ void agree(std::optional<double>& known, double stated, const std::string& where
   known = stated;
 }
 
-std::optional<double> optional_number(const CsvTable& table, const CsvTable::Row& row,
-                                      const std::optional<std::size_t>& column) {
-  if (!column || row.cells[*column].empty() || boost::algorithm::iequals(row.cells[*column], "nan"))
-    return std::nullopt;  // ImageJ's word for shapes without area or axis
-  return table.number(row, *column);
-}
-
 double positive(const CsvTable& table, const CsvTable::Row& row, std::size_t column) {
   const double value = table.number(row, column);
   if (value > 0.0) return value;
+  const bool lost = value == 0.0 && row.cells[column].find_first_of(".,") != std::string::npos;
   throw InvalidInput(table.place(row, column), row.cells[column], "a number above 0",
-                     "remove the row");
+                     lost ? "in ImageJ raise \"Decimal places\" or tick \"Scientific notation\" in "
+                            "Analyze > Set Measurements, or give the unit um in Analyze > Set Scale"
+                          : "remove the row");
 }
 
 /// Area and perimeter in the table's unit.
@@ -63,12 +62,12 @@ Particle read_row(const CsvTable& table, const ParticleColumns& columns, const C
     p.perimeter_um = std::sqrt(4.0 * boost::math::constants::pi<double>() * p.area_um2 /
                                positive(table, row, *columns.circularity));
   }
-  p.aspect_ratio = optional_number(table, row, columns.aspect_ratio);
+  p.aspect_ratio = number_or_nothing(table, row, columns.aspect_ratio);
   if (!p.aspect_ratio) {
-    const auto round = optional_number(table, row, columns.roundness);
+    const auto round = number_or_nothing(table, row, columns.roundness);
     if (round && *round > 0.0) p.aspect_ratio = std::max(1.0, 1.0 / *round);
   }
-  p.feret_um = optional_number(table, row, columns.feret);
+  p.feret_um = number_or_nothing(table, row, columns.feret);
   return p;
 }
 
@@ -98,34 +97,83 @@ void drop_summary(CsvTable& table, ParticleSet& set) {
                   all - table.rows.size()));
 }
 
-void judge_table(const CsvTable& table, const ParticleColumns& columns,
-                 const std::vector<Particle>& particles, double scale, ParticleSet& set) {
-  if (!columns.perimeter) {
-    set.notes.push_back(table.file + ": no Perim.; perimeters are taken from Circ.");
-  } else if (columns.circularity) {
-    std::size_t differ = 0;
-    for (std::size_t i = 0; i < particles.size(); ++i) {
-      const auto circ = optional_number(table, table.rows[i], columns.circularity);
-      differ += circ && std::fabs(*circ - particles[i].circularity()) > kCircDiffers ? 1 : 0;
-    }
-    if (2 * differ > particles.size()) {
-      set.notes.push_back(table.file +
-                          ": Circ. is not 4 pi Area/Perim.^2 in most rows; are Area and Perim. in "
-                          "the same unit? Circ. is not used");
-    }
+bool all_whole(const std::vector<Particle>& particles) {
+  return std::all_of(particles.begin(), particles.end(),
+                     [](const Particle& p) { return p.area_um2 == std::floor(p.area_um2); });
+}
+
+/// The side of a pixel in the table's unit, where it is known. A scale of 1 may mean a table in um.
+std::optional<double> pixel_of(const ParticleColumns& columns, std::optional<double> scale,
+                               const std::vector<Particle>& particles) {
+  constexpr double least_px = 2.0;  // of the median grain: below it the unit is no pixel
+  if (scale == 1.0 && !all_whole(particles)) return std::nullopt;
+  if (columns.unit_um) return scale ? std::optional(*scale / *columns.unit_um) : std::nullopt;
+  if (all_whole(particles)) return 1.0;
+  std::vector<double> d;
+  for (const Particle& p : particles) d.push_back(p.area_diameter_um());
+  const auto middle = d.begin() + static_cast<long>(d.size() / 2);
+  std::nth_element(d.begin(), middle, d.end());
+  return *middle < least_px ? std::nullopt : std::optional(1.0);
+}
+
+/// Whether perimeters may be those that ImageJ traces along the pixels: never whole numbers, as at least
+/// two corners are cut, and never shorter than those of a disk as ImageJ sees it.
+bool may_be_traced(const std::vector<Particle>& particles, double pixel) {
+  constexpr double least_px = 15.0, scatter = 0.985, exact_px = 1e-6;
+  std::size_t judged = 0, others = 0;
+  for (const Particle& p : particles) {
+    const double d = p.area_diameter_um() / pixel, edge = p.perimeter_um / pixel;
+    const bool whole = std::fabs(edge - std::round(edge)) < exact_px;
+    if (!whole && d < least_px) continue;
+    ++judged;
+    others += whole || edge < scatter * imagej_perimeter_px(d) ? 1 : 0;
   }
-  const bool whole = std::all_of(particles.begin(), particles.end(), [](const Particle& p) {
-    return p.area_um2 == std::floor(p.area_um2);
-  });
-  if (!columns.in_um && !whole && scale != 1.0) {
+  return 2 * others <= judged;
+}
+
+/// Perimeters of ImageJ, without its bias where the pixel is known.
+void correct_perimeters(const RawTable& raw, std::vector<Particle>& particles, ParticleSet& set) {
+  constexpr double exact = 0.97;  // circularity that ImageJ finds below 13 pixels only
+  if (!raw.columns.imagej) return;
+  std::string note;
+  if (raw.pixel && may_be_traced(particles, *raw.pixel)) {
+    for (Particle& p : particles)
+      p.perimeter_um = *raw.pixel * edge_of_imagej_px(p.perimeter_um / *raw.pixel);
+    note = fmt::format(
+        "Perim. is ImageJ's, {:g} p - {:g} pixels for an edge of p pixels; p is used, so that "
+        "circularities are not those of Circ.",
+        kImagejSlope, kImagejOffset_px);
+  } else if (!raw.pixel && median_circularity(particles) < exact) {
+    note =
+        "Perim. is ImageJ's, up to 5.5 % too long, and 4A/P up to 5 % too small: the size of a "
+        "pixel, which is not known, would tell by how much. Measure in pixels (Analyze > Set Scale "
+        "> "
+        "Click to Remove Scale) and give --pixel-size-um, or take --diameter area";
+  }
+  std::vector<std::string>& notes = set.perimeter_notes;
+  if (!note.empty() && std::find(notes.begin(), notes.end(), note) == notes.end())
+    notes.push_back(std::move(note));
+}
+
+void judge_table(const RawTable& raw, double scale, ParticleSet& set) {
+  // Digits first: too few of them make shapes that cannot be.
+  const double step = raw.unit_um * raw.unit_um * check_digits(raw, set.notes);
+  set.area_step_um2 = std::max(set.area_step_um2, step);
+  for (std::string& note : check_shapes(raw)) set.notes.push_back(std::move(note));
+  if (!raw.columns.perimeter)
+    set.notes.push_back(raw.table.file + ": no Perim.; perimeters are taken from Circ.");
+  const bool known = raw.columns.unit_um || scale == 1.0 || all_whole(raw.particles);
+  if (!known && raw.pixel) {
     set.notes.push_back(fmt::format(
         "{}: areas are not whole numbers of pixels; if the table is in um already, give "
         "--pixel-size-um 1 (now {:g})",
-        table.file, scale));
+        raw.table.file, scale));
   }
 }
 
-void read_table(const fs::path& file, const std::optional<double>& given, ParticleSet& set) {
+/// Returns the size of a pixel in um where it is sure.
+std::optional<double> read_table(const fs::path& file, const std::optional<double>& given,
+                                 ParticleSet& set) {
   CsvTable table = read_csv(file, kFormat);
   drop_summary(table, set);
   const ParticleColumns columns = find_particle_columns(table);
@@ -138,13 +186,15 @@ void read_table(const fs::path& file, const std::optional<double>& given, Partic
     if (columns.pixel_size)
       agree(scale, table.number(row, *columns.pixel_size), table.place(row, *columns.pixel_size));
   }
-  if (!columns.in_um && !scale) {
+  if (!columns.unit_um && !scale) {
     throw InvalidInput(table.file + ", pixel size", "a table in pixels without a scale",
                        "a side of the pixel in um, as option, comment or column", how_to_scale());
   }
   if (scale) agree(set.pixel_size_um, *scale, table.file + ", pixel size");
-  const double factor = columns.in_um ? 1.0 : *scale;
-  judge_table(table, columns, particles, factor, set);
+  const double factor = columns.unit_um ? *columns.unit_um : *scale;
+  const RawTable raw{table, columns, particles, pixel_of(columns, scale, particles), factor};
+  judge_table(raw, factor, set);
+  correct_perimeters(raw, particles, set);
   for (Particle& p : particles) {
     p.file = set.files.size();
     p.area_um2 *= factor * factor;
@@ -153,6 +203,16 @@ void read_table(const fs::path& file, const std::optional<double>& given, Partic
     set.particles.push_back(p);
   }
   set.files.push_back(table.file);
+  return raw.pixel ? std::optional(*raw.pixel * factor) : std::nullopt;
+}
+
+void note_noise(ParticleSet& set, std::optional<double> pixel_um) {
+  if (set.files.empty()) return;
+  const std::string where = set.files.size() == 1 ? set.files.front()
+                                                  : fmt::format("{} and {} more", set.files.front(),
+                                                                set.files.size() - 1);
+  const std::string doubt = noise_doubt(set.particles, pixel_um, where);
+  if (!doubt.empty()) set.notes.push_back(doubt);
 }
 
 }  // namespace
@@ -169,10 +229,14 @@ ParticleSet read_particle_tables(const std::vector<fs::path>& files,
                                  const std::optional<double>& pixel_size_um) {
   ParticleSet set;
   if (pixel_size_um) require_pixel_size_um(*pixel_size_um, "option --pixel-size-um");
+  std::optional<double> pixel_um;
+  bool sure = true;
   for (const fs::path& file : files) {
-    read_table(file, pixel_size_um, set);
+    pixel_um = read_table(file, pixel_size_um, set);
+    sure = sure && pixel_um;
     if (pixel_size_um) set.pixel_size_um = pixel_size_um;
   }
+  note_noise(set, sure ? pixel_um : std::nullopt);
   return set;
 }
 

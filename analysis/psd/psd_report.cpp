@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/particles/table_doubts.h"
 #include "analysis/psd/grain_source.h"
 #include "models/invalid_input.h"
 
@@ -76,9 +77,15 @@ void quantiles(PsdReport& r, const std::vector<double>& d, std::vector<double> o
         all.insert(all.end(), by_mass.begin(), by_mass.end());
         return all;
       });
+  // What the printed digits leave open shifts all grains together.
+  const double digits =
+      digits_um2(r.set.area_step_um2, r.options.diameter == DiameterKind::perimeter);
+  const auto widened = [&](const ConfidenceInterval& i) {
+    return ConfidenceInterval{i.low - digits / i.low, i.high + digits / i.high};
+  };
   for (std::size_t k = 0; k < 3; ++k) {
-    r.by_number[k] = {number[k], around[k]};
-    r.by_mass[k] = {mass[k], around[k + 3]};
+    r.by_number[k] = {number[k], widened(around[k])};
+    r.by_mass[k] = {mass[k], widened(around[k + 3])};
   }
   r.d50_other = shape(other, r.options.bootstrap)[1];
 }
@@ -110,6 +117,7 @@ PsdReport analyse_sizes(const std::vector<fs::path>& files, const PsdOptions& op
       read_grain_source(files, options.pixel_size_um, options.segmentation, progress);
   r.set = std::move(source.set);
   r.overlays = std::move(source.overlays);
+  r.set.notes.insert(r.set.notes.end(), r.set.perimeter_notes.begin(), r.set.perimeter_notes.end());
   flag_specks(r);
   const std::size_t n = r.set.particles.size();
   if (n < 2) {

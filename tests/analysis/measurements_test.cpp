@@ -57,7 +57,8 @@ TEST(Measurements, EmptyAndBrokenFiles) {
   refused(kHeader, {"drop.csv, line 1", "a header without rows"});
   refused("impact_velocity_m_s,impact_velocity_m_s\n1,2\n", {"line 1", "twice"});
   refused("impact_velocity_m_s,diameter\n1,2\n", {"critical_diameter_um", "diameter"});
-  refused("impact_velocity_m_s;critical_diameter_um\n1;2\n", {"commas, not semicolons"});
+  refused("impact_velocity_m_s:critical_diameter_um\n1:2\n", {"commas, semicolons or tabs"});
+  refused("v,d\n1,2\n", {"'impact_velocity_m_s', 'critical_diameter_um'"});
   refused(kHeader + "1.8,66.4\n2.3\n", {"drop.csv, line 3, column 2", "1 cells"});
   refused(kHeader + "1,8,66,4\n", {"drop.csv, line 2, column 3", "decimal commas"});
 }
@@ -81,6 +82,49 @@ TEST(Measurements, ValuesThatCannotBe) {
           {"standard deviation"});
   refused("impact_velocity_m_s,critical_diameter_um,adhesive_energy_J_m2\n1.8,60,-3\n",
           {"adhesive energy"});
+}
+
+/// One table as a spreadsheet, a notebook and a plotting program would save it.
+TEST(Measurements, NamesAndUnitsInOtherForms) {
+  for (const char* text :
+       {"impact_velocity_m_s;critical_diameter_um\n1,8;66,4\n2,3;63,8\n",
+        "Impact velocity [m/s]\tCritical diameter (\u00B5m)\n1,8\t66,4\n2,3\t63,8\n",
+        "impact_velocity,critical_diameter\nm/s,um\n1.8,66.4\n2.3,63.8\n",
+        "impact_velocity_m_s,critical_diameter_um\nm/s,um\n1.8,66.4 # first\n2.3,63.8\n",
+        "Impact velocity (m s^-1);Critical diameter (\xB5m)\r1,8;66,4\r2,3;63,8\r"}) {
+    const Measurements m = read(text);
+    ASSERT_EQ(m.rows.size(), 2U) << text;
+    EXPECT_EQ(m.rows[0].impact_velocity_m_s, 1.8);
+    EXPECT_EQ(m.rows[1].critical_diameter_um, 63.8);
+    EXPECT_TRUE(m.unknown_columns.empty());
+    EXPECT_TRUE(m.notes.empty());
+  }
+  refused("impact_velocity_m_s,Critical diameter [mm]\n1,2\n",
+          {"'critical_diameter_um'", "is in mm, not um"});
+  refused("impact_velocity_m_s,critical diameter\n1,2\n", {"has no unit"});
+  refused("impact_velocity_m_s,critical_diameter_um\nm/s,mm\n1,2\n",
+          {"row of units, column 'critical_diameter_um'", "mm", "um"});
+}
+
+TEST(Measurements, UnitsThatAreAThousandOffAreAskedFor) {
+  const auto note = [](const std::string& text) {
+    const Measurements m = read(text);
+    return m.notes.empty() ? std::string() : m.notes[0];
+  };
+  EXPECT_EQ(note(kHeader + "1.8,66.4\n2.3,63.8\n"), "");
+  EXPECT_EQ(note(kHeader + "1.8,0.5\n2.3,1.2\n"), "");  // small grains, not all below 1 um
+  const std::string mm = note(kHeader + "1.8,0.0664\n2.3,0.0638\n");
+  for (const char* part : {"critical_diameter_um", "were mm given", "66.4 for 0.0664"})
+    EXPECT_NE(mm.find(part), std::string::npos) << mm;
+  EXPECT_NE(note(kHeader + "1.8,6640\n2.3,6380\n").find("were nm given"), std::string::npos);
+  EXPECT_NE(note(kHeader + "180,66.4\n230,63.8\n").find("were mm/s given"), std::string::npos);
+  EXPECT_NE(note("impact_velocity_m_s,critical_diameter_um,contact_time_us\n1.8,66,0.1\n")
+                .find("were ms given"),
+            std::string::npos);
+  EXPECT_NE(note("impact_velocity_m_s,diameter_um,count_before,count_after\n1.8,0.05,9,3\n")
+                .find("were mm given"),
+            std::string::npos);
+  refused(kHeader + "1.8,0.0066\n", {"millimetres", "write 6.6"});
 }
 
 TEST(Checks, LargeAdhesiveEnergyWarnsAboutTheConvention) {

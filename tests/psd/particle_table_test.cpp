@@ -148,6 +148,7 @@ TEST(ParticleTable, RefusesWhatItCannotUse) {
   expect_refusal(read("Area,Perim.\n400,x\n"), {"line 2, column 'Perim.'", "'x'"});
   expect_refusal(read("Area,Perim.\n-4,80\n"), {"line 2, column 'Area'", "above 0"});
   expect_refusal(read("Area;Perim.\n4,5;80\n"), {"column 'Area'", "decimal point"});
+  expect_refusal(read("Area;Perim.\n4.5,1;80\n"), {"column 'Area'", "'4.5,1'"});
   expect_refusal(read("Area,Perim.\n400,80\n", 0.0), {"--pixel-size-um", "given: 0"});
   expect_refusal(read("Area,Perim.\n400,80\n", -0.5), {"--pixel-size-um", "-0.5"});
   expect_refusal(read("Area,Perim.\n400,80\n", std::nullopt),
@@ -179,7 +180,8 @@ TEST(ParticleTable, DoubtsAreNoted) {
   };
   EXPECT_TRUE(notes("Area,Perim.,Circ.\n400,80,0.785\n").empty());
   ASSERT_EQ(notes("Area,Perim.\n400.5,80\n").size(), 1U);
-  ASSERT_EQ(notes("Area,Perim.,Circ.\n400,40,0.785\n").size(), 1U);
+  ASSERT_EQ(notes("Area,Perim.,Circ.\n400,80,0.9\n").size(), 1U);
+  expect_refusal([&] { notes("Area,Perim.,Circ.\n400,40,0.785\n"); }, {"line 2, column 'Perim.'"});
 }
 
 }  // namespace

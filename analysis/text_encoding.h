@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file text_encoding.h
+/// Text as programs and countries write it, made UTF-8 with lines that end in '\n'.
+///
+///   UTF-8, UTF-16, UTF-32   with a byte order mark; UTF-8 and UTF-16 without one too
+///   Windows-1252            bytes that are no UTF-8: it holds Latin-1, and the micro sign, the degree
+///                           and the squares of Mac Roman's and Windows's western pages alike
+///   ends of lines           "\n", "\r\n", and "\r" alone
+///
+/// What is no text (workbooks, pictures, archives) is InvalidInput that names what it is, and so are
+/// bytes that no encoding above explains, with their line.
+/// Source: WHATWG Encoding Standard for the order; conversion by iconv (POSIX), UTF-8 by UTF8-CPP.
+/// Tests: tests/analysis/text_encoding_test.cpp
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace powderlink::analysis {
+
+struct Text {
+  std::string utf8;
+  std::string encoding;  ///< "UTF-8", "UTF-16LE", "Windows-1252", ...
+};
+
+/// \param file  for messages
+Text decoded(const std::string& bytes, const std::filesystem::path& file);
+
+/// The same text for a terminal: valid UTF-8, no control characters but ends of lines.
+std::string printable(const std::string& text);
+
+}  // namespace powderlink::analysis
