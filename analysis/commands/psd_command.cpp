@@ -27,7 +27,7 @@ struct Options {
   PsdOptions psd;
   std::optional<double> bar_um, bar_px;
   double density_kg_m3 = 7980.0;
-  int classes = 12;
+  int classes = 30;
   bool no_figures = false;
 };
 
@@ -53,6 +53,21 @@ void check(const PsdOptions& o) {
   check_segmentation_options(o.segmentation);
 }
 
+std::string law_text(const char* by, bool cut_off, const std::optional<RosinRammlerFit>& fit) {
+  const std::string name = fmt::format("Rosin-Rammler by {}", by);
+  const char* const cut = cut_off ? ", cut off" : "";
+  if (!fit) return fmt::format("{}{}: these sizes decide no such law\n", name, cut);
+  const RosinRammler& law = fit->law;
+  if (!fit->fits()) {
+    return fmt::format("{}{}: does not fit; the share finer than {:.3g} um is off by {:.1f} %\n",
+                       name, cut, fit->miss_um, 100.0 * fit->miss);
+  }
+  const std::string between =
+      cut_off ? fmt::format(" between {:.4g} and {:.4g} um", law.min_um, law.max_um) : "";
+  return fmt::format("{}{}: x0 {:.4g} +- {:.2g} um, n {:.4g} +- {:.2g}, R^2 {:.4f}\n", name,
+                     between, law.x0_um, fit->x0_sigma_um, law.n, fit->n_sigma, fit->r_squared);
+}
+
 std::string text_of(const PsdReport& r) {
   TextTable t({"diameters [um]", "D10", "D50", "D90", "95 % of D50"});
   const auto row = [&](const char* name, const std::array<Quantity95, 3>& q, const char* format) {
@@ -69,21 +84,8 @@ std::string text_of(const PsdReport& r) {
   text += fmt::format("{} grains; diameters are {}, {} has D50 {:.4g} um by number\n",
                       r.set.particles.size(), area ? "sqrt(4A/pi)" : "4A/P",
                       area ? "4A/P" : "sqrt(4A/pi)", r.d50_other.value);
-  const auto law = [&](const char* name, const std::optional<RosinRammlerFit>& fit) {
-    if (!fit) return;
-    const std::string cut =
-        std::isfinite(fit->law.max_um)
-            ? fmt::format(" between {:.4g} and {:.4g} um", fit->law.min_um, fit->law.max_um)
-            : "";
-    text += fmt::format(
-        "Rosin-Rammler {}{}: x0 {:.4g} +- {:.2g} um, n {:.4g} +- {:.2g}, R^2 {:.4f}\n", name, cut,
-        fit->law.x0_um, fit->x0_sigma_um, fit->law.n, fit->n_sigma, fit->r_squared);
-  };
-  law("by number", r.rr_number);
-  law("by mass", r.rr_mass);
-  law("by number", r.cut_number);
-  law("by mass", r.cut_mass);
-  return text;
+  text += law_text("number", false, r.rr_number) + law_text("mass", false, r.rr_mass);
+  return text + law_text("number", true, r.cut_number) + law_text("mass", true, r.cut_mass);
 }
 
 void run(Options o) {
@@ -92,10 +94,8 @@ void run(Options o) {
   if (const auto scale = scale_from_bar(o)) o.psd.pixel_size_um = scale;
   const PsdReport report = analyse_sizes(expand_patterns(o.files), o.psd, show_pictures);
   std::vector<std::pair<std::string, std::string>> files = psd_tables(report);
-  if (report.cut_number) {
-    files.emplace_back("in.powder", liggghts_powder(report, o.density_kg_m3, o.classes));
-    if (report.foam_number) files.emplace_back("sizeDistribution", openfoam_sizes(report));
-  }
+  files.emplace_back("in.powder", liggghts_powder(report, o.density_kg_m3, o.classes));
+  files.emplace_back("sizeDistribution", openfoam_sizes(report));
   for (const auto& overlay : report.overlays) files.push_back(overlay);
 
   const fs::path out = o.out;

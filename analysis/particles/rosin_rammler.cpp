@@ -8,6 +8,7 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <boost/math/distributions/chi_squared.hpp>
 #include <cmath>
 
 #include "analysis/evidence/least_squares.h"
@@ -16,7 +17,10 @@ namespace powderlink::analysis {
 
 namespace {
 
-constexpr std::size_t kFewest = 10;
+constexpr int kFewestSizes = 10;
+constexpr double kFarthest = 10.0;  // x0 over the largest grain
+constexpr double kMiss = 0.03, kChance = 0.01;
+constexpr double kBeside = 0.01;                       // of d: diameters that nothing tells apart
 constexpr double kLeast_n = 0.05, kLargest_n = 100.0;  // beyond: no law of this family
 
 double survivors(const RosinRammler& law, double d) {
@@ -88,25 +92,94 @@ Eigen::Matrix2d covariance(const Likelihood& likelihood, const Eigen::Vector2d& 
   return inverse * squares * inverse.transpose() / n;
 }
 
-double r_squared(const SizeDistribution& sample, const RosinRammler& law) {
+/// The law's share finer, with its ends computed once.
+class Finer {
+ public:
+  explicit Finer(const RosinRammler& law)
+      : law_(law), low_(survivors(law, law.min_um)), high_(survivors(law, law.max_um)) {}
+  double operator()(double d) const {
+    if (d <= law_.min_um) return 0.0;
+    if (d >= law_.max_um) return 1.0;
+    return (low_ - survivors(law_, d)) / (low_ - high_);
+  }
+
+ private:
+  const RosinRammler& law_;
+  double low_, high_;
+};
+
+double r_squared(const SizeDistribution& sample, const Finer& finer) {
   const std::vector<double> y = sample.finer();
   double off = 0.0, all = 0.0, mean = 0.0;
   for (const double value : y) mean += value / static_cast<double>(y.size());
   for (std::size_t i = 0; i < y.size(); ++i) {
-    off += std::pow(law.finer(sample.diameters_um()[i]) - y[i], 2);
+    off += std::pow(finer(sample.diameters_um()[i]) - y[i], 2);
     all += std::pow(y[i] - mean, 2);
   }
   return all > 0.0 ? 1.0 - off / all : 0.0;
 }
 
+/// Between the grains the sample's share is known, whether they repeat (pixels) or not.
+void find_miss(RosinRammlerFit& fit, const SizeDistribution& sample, const Finer& finer) {
+  const std::vector<double>& d = sample.diameters_um();
+  const auto all = static_cast<double>(d.size());  // weights of mean 1
+  double below = 0.0;
+  const auto look = [&](double at) {
+    const double off = std::fabs(finer(at) - below / all);
+    if (off <= fit.miss) return;
+    fit.miss = off;
+    fit.miss_um = at;
+  };
+  for (std::size_t i = 0; i + 1 < d.size(); ++i) {
+    below += sample.weights()[i];
+    const double middle = 0.5 * (d[i] + d[i + 1]);
+    if (!(d[i] < d[i + 1])) continue;
+    look(std::min(middle, (1.0 + kBeside) * d[i]));
+    if ((1.0 - kBeside) * d[i + 1] > middle) look((1.0 - kBeside) * d[i + 1]);
+  }
+}
+
+double chance_of(const SizeDistribution& sample, const RosinRammler& law) {
+  double squares = 0.0;
+  for (const double w : sample.weights()) squares += w * w;
+  const auto all = static_cast<double>(sample.weights().size());
+  const double grains = all * all / squares;
+  constexpr double fewest = 5.0, most = 20.0, per_class = 10.0;
+  const auto classes = static_cast<std::size_t>(std::clamp(grains / per_class, fewest, most));
+  const double equal = 1.0 / static_cast<double>(classes);
+  double chi_squared = 0.0;
+  std::size_t i = 0;
+  for (std::size_t k = 1; k <= classes; ++k) {
+    const double limit = law.quantile_um(static_cast<double>(k) * equal);
+    double share = 0.0;
+    for (; i < sample.weights().size() && (k == classes || sample.diameters_um()[i] <= limit); ++i)
+      share += sample.weights()[i] / all;
+    chi_squared += grains * (share - equal) * (share - equal) / equal;
+  }
+  const boost::math::chi_squared by_chance(static_cast<double>(classes - 3));
+  return boost::math::cdf(boost::math::complement(by_chance, chi_squared));
+}
+
+void judge(RosinRammlerFit& fit, const SizeDistribution& sample) {
+  const Finer finer(fit.law);
+  fit.r_squared = r_squared(sample, finer);
+  find_miss(fit, sample, finer);
+  fit.chance = chance_of(sample, fit.law);
+}
+
+/// Different ones, as many as are asked for.
+bool has_sizes(const std::vector<double>& sorted, int fewest) {
+  int sizes = sorted.empty() ? 0 : 1;
+  for (std::size_t i = 1; i < sorted.size() && sizes < fewest; ++i)
+    sizes += sorted[i] > sorted[i - 1] ? 1 : 0;
+  return sizes >= fewest;
+}
+
 }  // namespace
 
-double RosinRammler::finer(double d) const {
-  if (d <= min_um) return 0.0;
-  if (d >= max_um) return 1.0;
-  const double low = survivors(*this, min_um);
-  return (low - survivors(*this, d)) / (low - survivors(*this, max_um));
-}
+bool RosinRammlerFit::fits() const { return miss <= kMiss || chance >= kChance; }
+
+double RosinRammler::finer(double d) const { return Finer(*this)(d); }
 
 double RosinRammler::quantile_um(double share) const {
   const double low = survivors(*this, min_um);
@@ -128,7 +201,7 @@ std::optional<RosinRammlerFit> fit_rosin_rammler(const SizeDistribution& sample,
     total += sample.weights()[i];
   }
   const std::size_t grains = likelihood.log_d.size();
-  if (grains < kFewest || !(likelihood.log_d.back() > likelihood.log_d.front())) return {};
+  if (!has_sizes(likelihood.log_d, kFewestSizes)) return {};
   for (double& w : likelihood.weight) w *= static_cast<double>(grains) / total;
   if (cut.min_um > cut.origin_um)
     likelihood.log_min = std::log((cut.min_um - cut.origin_um) / scale);
@@ -153,19 +226,20 @@ std::optional<RosinRammlerFit> fit_rosin_rammler(const SizeDistribution& sample,
   fit.law.n = std::exp(p[1]);
   const Eigen::Matrix2d c = covariance(likelihood, {p[0], p[1]});
   const bool known = summary.IsSolutionUsable() && fit.law.n > kLeast_n && fit.law.n < kLargest_n &&
+                     fit.law.x0_um < kFarthest * sample.diameters_um().back() &&
                      std::isfinite(c.trace()) && c(0, 0) >= 0.0 && c(0, 0) < 1.0 &&
                      c(1, 1) >= 0.0 && c(1, 1) < 1.0;
   if (!known) return {};
   fit.x0_sigma_um = fit.law.x0_um * std::sqrt(c(0, 0));
   fit.n_sigma = fit.law.n * std::sqrt(c(1, 1));
-  fit.r_squared = r_squared(sample, fit.law);
+  judge(fit, sample);
   return fit;
 }
 
 std::optional<RosinRammlerFit> nearest_rosin_rammler(const SizeDistribution& sample,
                                                      const RosinRammler& cut) {
   const std::vector<double>& all = sample.diameters_um();
-  if (all.size() < kFewest || !(all.back() > all.front())) return {};
+  if (!has_sizes(all, kFewestSizes)) return {};
   constexpr int points = 200;
   std::vector<double> shares;
   for (int i = 0; i < points; ++i) shares.push_back((i + 0.5) / points);
@@ -188,7 +262,8 @@ std::optional<RosinRammlerFit> nearest_rosin_rammler(const SizeDistribution& sam
   fit.law = cut;
   fit.law.x0_um = s.values[0];
   fit.law.n = s.values[1];
-  fit.r_squared = r_squared(sample, fit.law);
+  if (!(fit.law.x0_um < kFarthest * all.back())) return {};
+  judge(fit, sample);
   return fit;
 }
 

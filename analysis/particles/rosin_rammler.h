@@ -11,8 +11,14 @@
 /// sigma_x0/x0 = 1.053/(n sqrt(N)), so 1.7 % in n for 2000 grains. Standard errors are of the
 /// sandwich form and hold by mass too. R^2 compares Y with the sample's at every grain:
 ///   R^2 = 1 - sum (Y - Y_i)^2/sum (Y_i - mean)^2.
+/// Whether it fits: where chance explains what is off, or where that does not matter.
+///   miss    largest |Y - Y_i| between the grains, up to 1 % of d away from them
+///   chance  of a sample of the law to be as far off: chi^2 = N_e sum_k (p_k - 1/K)^2 K over K classes of
+///           equal shares of the law, K - 3 degrees of freedom; N_e = (sum w)^2/sum w^2 grains
+///   fits    miss <= 3 % or chance >= 1 %
 /// Sources: P. Rosin, E. Rammler, J. Inst. Fuel 7 (1933) 29; W. Weibull, J. Appl. Mech. 18 (1951) 293;
-/// errors: N. L. Johnson, S. Kotz, Continuous Univariate Distributions 1 (1994), chapter 21.
+/// errors: N. L. Johnson, S. Kotz, Continuous Univariate Distributions 1 (1994), chapter 21; test:
+/// K. Pearson, Phil. Mag. 50 (1900) 157, weights: J. N. K. Rao, A. J. Scott, Ann. Stat. 12 (1984) 46.
 /// Tests: tests/psd/rosin_rammler_test.cpp
 #pragma once
 
@@ -36,10 +42,14 @@ struct RosinRammlerFit {
   RosinRammler law;
   double x0_sigma_um = 0.0, n_sigma = 0.0;  ///< standard errors
   double r_squared = 0.0;
+  double miss = 0.0, miss_um = 0.0;  ///< how far it is off, and where
+  double chance = 0.0;
+
+  bool fits() const;
 };
 
-/// Empty when the sample decides no such law: fewer than 10 grains inside the cut-offs, all of one
-/// size, or parameters that run away.
+/// Empty when the sample decides no such law: fewer than 10 sizes inside the cut-offs, or parameters
+/// that run away (x0 beyond ten times the largest grain, no spread).
 /// \param cut  its min, max and origin are kept; grains outside are left out
 std::optional<RosinRammlerFit> fit_rosin_rammler(const SizeDistribution& sample,
                                                  const RosinRammler& cut = {});

@@ -10,9 +10,10 @@ namespace powderlink::analysis {
 std::vector<std::string> draw_psd_figures(const PsdReport& r, const std::filesystem::path& out) {
   if (!have_gnuplot()) return {"no figures: gnuplot is not in PATH; install gnuplot-nox"};
   const auto fitted = [](const char* name, const std::optional<RosinRammlerFit>& fit) {
+    const bool fits = fit && fit->fits();
     return fmt::format("{0}_x0={1:.6g}; {0}_n={2:.6g}; {0}_r2={3:.6g}", name,
-                       fit ? fit->law.x0_um : -1.0, fit ? fit->law.n : 0.0,
-                       fit ? fit->r_squared : 0.0);
+                       fits ? fit->law.x0_um : -1.0, fits ? fit->law.n : 0.0,
+                       fits ? fit->r_squared : 0.0);
   };
   const std::string common = fmt::format(
       "{}; {}; d50_number={:.6g}; d50_mass={:.6g}; grains={}; smallest={:.9g}; largest={:.9g}",

@@ -16,13 +16,15 @@ using Json = nlohmann::ordered_json;
 Json pair(const ConfidenceInterval& i) { return Json::array({i.low, i.high}); }
 
 Json law(const std::optional<RosinRammlerFit>& fit) {
-  if (!fit) return nullptr;
+  if (!fit || !fit->fits()) return nullptr;
   Json j;
   j["x0_um"] = fit->law.x0_um;
   j["n"] = fit->law.n;
   j["r_squared"] = fit->r_squared;
   j["x0_sigma_um"] = fit->x0_sigma_um;
   j["n_sigma"] = fit->n_sigma;
+  j["miss"] = fit->miss;
+  j["chance"] = fit->chance;
   if (std::isfinite(fit->law.max_um)) {
     j["min_um"] = fit->law.min_um;
     j["max_um"] = fit->law.max_um;
@@ -64,7 +66,7 @@ std::string distribution_table(const PsdReport& r) {
   const std::vector<double>& d = r.number->diameters_um();
   const std::vector<double> number = r.number->finer(), mass = r.mass->finer();
   const auto at = [](const std::optional<RosinRammlerFit>& fit, double x) {
-    return fit ? fmt::format("{:.6g}", fit->law.finer(x)) : std::string();
+    return fit && fit->fits() ? fmt::format("{:.6g}", fit->law.finer(x)) : std::string();
   };
   std::string text =
       "diameter_um,finer_number,finer_mass,rr_number,rr_mass,rr_cut_number,rr_cut_mass\n";

@@ -18,6 +18,7 @@ namespace {
 
 const std::vector<double> kShares = {0.1, 0.5, 0.9};
 constexpr double kSpeckReach = 6.0;     // interquartile ranges of ln d by mass below the quartile
+constexpr double kSpecksMass = 0.01;    // a second population has more
 constexpr std::size_t kFewGrains = 30;  // fewer: percentile intervals are too narrow
 constexpr double kSmallMedian_px = 10.0;
 
@@ -27,7 +28,10 @@ void flag_specks(PsdReport& report) {
     d.push_back(diameter_um(p, report.options.diameter));
   const SizeDistribution mass(d, Weighting::mass);
   const double q1 = mass.quantile_um(0.25), q3 = mass.quantile_um(0.75);
-  const double fence = q1 * std::pow(q1 / q3, kSpeckReach);
+  double fence = q1 * std::pow(q1 / q3, kSpeckReach), below = 0.0;
+  for (std::size_t i = 0; i < d.size() && mass.diameters_um()[i] < fence; ++i)
+    below += mass.weights()[i] / static_cast<double>(d.size());
+  if (below > kSpecksMass) fence = 0.0;
   std::vector<Particle> kept;
   const double min = report.options.min_um, max = report.options.max_um;
   for (std::size_t i = 0; i < d.size(); ++i) {
@@ -100,7 +104,11 @@ void fits(PsdReport& r) {
   r.cut_mass = fit_rosin_rammler(*r.mass, cut);
   r.foam_number = nearest_rosin_rammler(*r.number, foam);
   r.foam_mass = nearest_rosin_rammler(*r.mass, foam);
-  if (!r.rr_number) r.set.notes.push_back("no Rosin-Rammler law: too few sizes to decide one");
+  const auto fit = [](const std::optional<RosinRammlerFit>& f) { return f && f->fits(); };
+  if (fit(r.rr_number) || fit(r.cut_number) || fit(r.rr_mass) || fit(r.cut_mass)) return;
+  r.set.notes.push_back(
+      "no Rosin-Rammler law fits these sizes: in.powder and sizeDistribution have them as "
+      "measured");
 }
 
 }  // namespace

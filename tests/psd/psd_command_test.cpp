@@ -111,6 +111,28 @@ TEST(PsdCommand, SpecksAreFlaggedAndDropped) {
   }
 }
 
+TEST(PsdCommand, TwoPopulationsAreNoSpecksAndHaveNoLaw) {
+  const TestFolder folder;
+  std::string text = "area_um2,perimeter_um\n";
+  for (int i = 0; i < 1000; ++i) {
+    const double d = (i < 700 ? 20 : 60) * (1 + 1e-4 * i);
+    text += fmt::format("{:.9g},{:.9g}\n", M_PI * d * d / 4, M_PI * d);
+  }
+  folder.write("t.csv", text);
+  const std::string base = folder.path().string();
+  const auto result =
+      powderlink(fmt::format("psd {0}/t.csv --json {0}/f.json --out {0}/out", base));
+  ASSERT_EQ(result.status, 0) << result.err;
+  const auto j = nlohmann::json::parse(read_file(folder.path() / "f.json"));
+  EXPECT_EQ(j["specks"], 0);
+  for (const char* law : {"rosin_rammler", "rosin_rammler_mass", "rosin_rammler_cut"})
+    EXPECT_TRUE(j.at(law).is_null()) << law;
+  EXPECT_NE(result.out.find("does not fit; the share finer than"), std::string::npos) << result.out;
+  EXPECT_NE(result.err.find("no Rosin-Rammler law fits"), std::string::npos) << result.err;
+  for (const char* name : {"in.powder", "sizeDistribution", "distribution.svg"})
+    EXPECT_FALSE(read_file(folder.path() / "out" / name).empty()) << name;
+}
+
 TEST(PsdCommand, BadInputIsRefusedAndNothingIsWritten) {
   const TestFolder folder;
   const std::string base = folder.path().string();
