@@ -35,12 +35,13 @@ void refuse_other_worlds(int argc, char** argv) {
     const std::string word = argv[i];
     const bool partitions = word == "-partition" || word == "-p";
     if (!partitions && word != "-reorder" && word != "-ro") continue;
-    say_error(
-        "LIGGGHTS and " + host::coupled_world().peer_role + " in one mpirun; given: " + word +
-        "; allowed: all ranks of LIGGGHTS in one world, in the order of mpirun; to do: remove " +
-        word +
-        (partitions ? " and start a coupled job for each partition"
-                    : "; place the ranks by options of mpirun"));
+    const std::string instead = partitions ? "start a coupled job for each partition"
+                                           : "place the ranks by options of mpirun";
+    std::string message = "LIGGGHTS and " + host::coupled_world().peer_role;
+    message += " in one mpirun; given: " + word;
+    message +=
+        "; allowed: all ranks of LIGGGHTS in one world, in the order of mpirun; to do: remove it";
+    say_error(message + " and " + instead);
     MPI_Barrier(MPI_COMM_WORLD);  // none may end the job before that is said
     MPI_Abort(MPI_COMM_WORLD, 1);
   }

@@ -22,7 +22,7 @@ dump vtm all custom/vtm 20 post/all_*.vtm particle_properties id type x y z radi
   mesh_properties id stress local_gran pairs write_pvd_file yes
 dump boxes all decomposition/vtk 20 post/boxes_*.vtk
 dump euler all euler/vtk 20 post/euler_*.vtk
-dump image all image 20 post/image_*.ppm type type
+dump image all image 20 post/image_*.ppm type type size 64 64
 dump local all local 20 post/local_*.txt c_pairs[1] c_pairs[2]
 dump pairs all local/gran/vtk 20 post/pairs_*.vtk pairs
 dump pairs_vtp all local/gran/vtk 20 post/pairs_*.vtp pairs
@@ -36,7 +36,8 @@ dump xyz all xyz 20 post/xyz_*.xyz
 )";
 
 std::string dumping_script(const LiggghtsCase& c, const std::string& bridge) {
-  const Setting s = soft_spheres();
+  Setting s = soft_spheres();
+  s.skin = 5e-4;  // few bins in a box that is large against the grains
   std::vector<Sphere> grains;
   for (int i = 0; i < 4; ++i) {
     for (const double beside : {0.0, 0.98 * kDiameter}) {  // pairs in contact, on the plate
