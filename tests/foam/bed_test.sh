@@ -177,6 +177,8 @@ case $test in
       read -r x z lost <sums
       [[ $ranks == 1 ]] || close_to "$ranks ranks: momentum along x" "$x" 1 $tolerance
       close_to "$ranks ranks: momentum along z" "$z" 1 $tolerance
+      # Written with the fields, not in every step.
+      [[ $(find . -maxdepth 2 -path './[0-9]*/uneven' | wc -l) == 2 || $ranks == 2 ]] || failed "fields of every step"
       awk -v l="$lost" 'BEGIN { exit !(l*l < 1e-16) }' || failed "$ranks ranks: scalar lost or gained $lost"
       awk '!/^#/ { n++; if ($2 < 1 - 1e-7 || $3 > 1 + 1e-7) bad++ } END { exit !(n && !bad) }' \
         postProcessing/range/0/fieldMinMax.dat || failed "$ranks ranks: a scalar of 1 did not stay"

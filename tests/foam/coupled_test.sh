@@ -530,8 +530,8 @@ DICT
     again; sed -i '/^rho/d' constant/transportProperties
     refused "no density" "rho"
     cp "$root/foam_cases/closed_box/constant/transportProperties" constant
-    again; sed -i 's/^transportModel .*/transportModel CrossPowerLaw;/' constant/transportProperties
-    refused "a viscosity that varies" "transportModel" "CrossPowerLaw" "Newtonian"
+    again; sed -i 's/^transportModel .*/transportModel powerLaw; powerLawCoeffs { nuMax 1e-3; nuMin 1e-6; k 1e-5; n 1; }/' constant/transportProperties
+    refused "a viscosity that varies" "transportModel" "powerLaw" "Newtonian"
     cp "$root/foam_cases/closed_box/constant/transportProperties" constant
     again; change forces "(schiller_naumann buoyancy)"
     refused "buoyancy without gravity" "entry forces" "given:   buoyancy, and no gravity" "constant/g"
