@@ -95,9 +95,8 @@ void FixCoupleBridge::open_link() {
   hello.clock.time_s = static_cast<double>(update->ntimestep) * dt_s_;
   hello.clock.continues = checkpoint_.step == update->ntimestep;
   hello.clock.ahead_s = checkpoint_.ahead_s;
-  hello.offers = {fields::id,     fields::position, fields::velocity,        fields::spin,
-                  fields::radius, fields::density,  fields::reaction_impulse,
-                  fields::held};
+  hello.offers = {fields::id,     fields::position, fields::velocity,         fields::spin,
+                  fields::radius, fields::density,  fields::reaction_impulse, fields::held};
   hello.needs = {fields::fluid_velocity, fields::fluid_fraction, fields::drag_coefficient,
                  fields::reacting_force, fields::pressure_force};
   try {
@@ -307,9 +306,9 @@ void FixCoupleBridge::speak_of_forgotten(double particles) {
   speaks_of_forgotten_ = false;
   say("Warning: particles that do not move; given: " + number_text(particles) + " of " +
       number_text(coupled_) +
-      " coupled particles in no group of a fix that integrates; allowed: yes, they keep their velocity "
-      "and the gas feels their drag; to do: for particles that fly, add fix nve/sphere to their group; to hold "
-      "them, nothing, or fix freeze");
+      " coupled particles in no group of a fix that integrates; allowed: yes, they keep their "
+      "velocity and the gas feels their drag; to do: for particles that fly, add fix nve/sphere to "
+      "their group; to hold them, nothing, or fix freeze");
 }
 
 /// What was given to all particles, less what was sent.

@@ -655,6 +655,9 @@ DICT
     again; sed -i '/^rho/d' constant/transportProperties
     refused "no density" "rho"
     cp "$root/foam_cases/closed_box/constant/transportProperties" constant
+    again; sed -i 's/^transportModel .*/transportModel powerLaw; powerLawCoeffs { nuMax 1e-3; nuMin 1e-6; k 1e-5; n 1; }/' constant/transportProperties
+    refused "a viscosity that varies" "transportModel" "powerLaw" "Newtonian"
+    cp "$root/foam_cases/closed_box/constant/transportProperties" constant
     again; change forces "(schiller_naumann buoyancy)"
     refused "buoyancy without gravity" "entry forces" "given:   buoyancy, and no gravity" "constant/g"
     again; sed -i 's/length 5e-4/length 0.1/' constant/couplingProperties

@@ -183,9 +183,8 @@ int run(const Options& options, const bridge::MpiWorld& world) {
   hello.case_name = options.at("case");
   hello.ranks = world.ranks;
   hello.exchange_interval_s = every * dt;
-  hello.offers = {fields::id,     fields::position, fields::velocity,        fields::spin,
-                  fields::radius, fields::density,  fields::reaction_impulse,
-                  fields::held};
+  hello.offers = {fields::id,     fields::position, fields::velocity,         fields::spin,
+                  fields::radius, fields::density,  fields::reaction_impulse, fields::held};
   hello.needs = {fields::fluid_velocity, fields::fluid_fraction, fields::drag_coefficient,
                  fields::reacting_force, fields::pressure_force};
   std::int64_t step = 0;
@@ -215,9 +214,9 @@ int run(const Options& options, const bridge::MpiWorld& world) {
     }
     const std::vector<double> held(n, 0.0);
     const ColumnView columns[] = {
-        ColumnView(rows.id.data(), n),     ColumnView(rows.x.data(), n),
-        ColumnView(rows.v.data(), n),      ColumnView(rows.spin.data(), n),
-        ColumnView(rows.radius.data(), n), ColumnView(rows.density.data(), n),
+        ColumnView(rows.id.data(), n),      ColumnView(rows.x.data(), n),
+        ColumnView(rows.v.data(), n),       ColumnView(rows.spin.data(), n),
+        ColumnView(rows.radius.data(), n),  ColumnView(rows.density.data(), n),
         ColumnView(rows.impulse.data(), n), ColumnView(held.data(), n)};
     std::vector<ColumnView> sent;
     for (const auto& spec : dem.plan().to_solver) {

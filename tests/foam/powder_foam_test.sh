@@ -57,6 +57,17 @@ close_to() {  # what value reference tolerance (relative)
     exit !(v != "" && e <= t*s) }' || failed "$1: $2, expected $3 within $4"
 }
 slope() { awk -v a="$(probe p 3)" -v b="$(probe p 4)" 'BEGIN { printf "%.10g", (b - a)/0.001 }'; }
+refused() {  # what, texts that the message must hold
+  local what=$1 code=0
+  shift
+  "$bin/powderFoam" >log 2>&1 || code=$?
+  [[ $code != 0 ]] || failed "$what: accepted"
+  for text in "given:" "allowed:" "to do:" "$@"; do
+    grep -qF -- "$text" log || failed "$what: the message lacks '$text'"
+  done
+  [[ -z $(find . -maxdepth 1 -name '0.*' -o -maxdepth 1 -name '*e-*') ]] ||
+    failed "$what: fields were written"
+}
 
 case $test in
   fluid_fraction)
@@ -211,17 +222,6 @@ DICT
     [[ -f 0.0002/alphaf && -f 0.0002/U ]] || failed "no fields at the end time"
     ;;
   bad_input)
-    refused() {  # what, texts that the message must hold
-      local what=$1 code=0
-      shift
-      "$bin/powderFoam" >log 2>&1 || code=$?
-      [[ $code != 0 ]] || failed "$what: accepted"
-      for text in "given:" "allowed:" "to do:" "$@"; do
-        grep -qF -- "$text" log || failed "$what: the message lacks '$text'"
-      done
-      [[ -z $(find . -maxdepth 1 -name '0.*' -o -maxdepth 1 -name '*e-*') ]] ||
-        failed "$what: fields were written"
-    }
     new_case bad
     valid='model couplingInterval couplingTime maxCoFatal particleMomentum'
     coupling 'model A; couplingIntervall 2;'
@@ -258,6 +258,59 @@ DICT
       >log 2>&1 || code=$?
     [[ $code != 0 && $code != 124 ]] || failed "2 ranks: exit status $code"
     grep -qF "Courant number above its limit" log || failed "2 ranks: no message"
+    ;;
+  left_out)
+    # What another solver's case brings along and this one does not do.
+    header='FoamFile { version 2.0; format ascii; class dictionary; object x; }'
+    new_case left_out
+    echo "$header zone { cellZone all; active yes; origin (0 0 0); axis (0 0 1); omega 3; }" >constant/MRFProperties
+    echo "$header dynamicFvMesh dynamicMotionSolverFvMesh;" >constant/dynamicMeshDict
+    echo "$header solution {}" >constant/kinematicCloudProperties
+    echo "$header a {}" >constant/SRFProperties
+    echo "$header a {}" >system/fvModels
+    option='type vectorSemiImplicitSource; active no; selectionMode all; volumeMode specific; injectionRateSuSp { U ((0 0 1) 0); }'
+    echo "$header still { $option }" | tee constant/fvOptions >system/fvOptions
+    refused "files of other solvers" "constant/MRFProperties" "dynamicMotionSolverFvMesh" \
+      "constant/kinematicCloudProperties" "constant/SRFProperties" "system/fvModels" \
+      "constant/fvOptions and system/fvOptions"
+    [[ $(grep -c "to do:" log) == 6 ]] || failed "not every file is named once"
+    decomposePar >log.decomposePar 2>&1
+    code=0
+    timeout 20 mpirun -np 2 --oversubscribe --bind-to none --mca mpi_yield_when_idle 1 "$bin/powderFoam" -parallel \
+      >log 2>&1 || code=$?
+    [[ $code != 0 && $code != 124 ]] || failed "2 ranks: exit status $code"
+    grep -qF "constant/SRFProperties" log || failed "2 ranks: no message"
+
+    # Switched off, they do no harm.
+    rm constant/{kinematicCloudProperties,SRFProperties} system/{fvModels,fvOptions}
+    sed -i 's/active yes/active no/' constant/MRFProperties
+    echo "$header dynamicFvMesh staticFvMesh;" >constant/dynamicMeshDict
+    solve
+    solutions=$(grep -c "Solving for p" log)
+    cp 2e-04/U U_PIMPLE 2>/dev/null || cp 0.0002/U U_PIMPLE
+    rm -r 2e-04 0.0002 2>/dev/null || true
+
+    # The same by the dictionary of pisoFoam.
+    sed -i 's/^PIMPLE/PISO/' system/fvSolution
+    solve
+    [[ $(grep -c "Solving for p" log) == "$solutions" ]] || failed "PISO: not $solutions pressure solutions"
+    cmp -s U_PIMPLE 2e-04/U || cmp -s U_PIMPLE 0.0002/U || failed "PISO: another velocity"
+    rm -r 2e-04 0.0002 2>/dev/null || true
+    sed -i 's/^PISO/SIMPLE/' system/fvSolution
+    refused "SIMPLE alone" "system/fvSolution" "PIMPLE or PISO"
+    echo 'PIMPLE { nCorrectors 2; nCorrector 3; }' >>system/fvSolution
+    solve
+    for text in "given:   PIMPLE and SIMPLE" "given:   nCorrector" "nOuterCorrectors"; do
+      grep -qF -- "$text" log || failed "warnings of fvSolution: no '$text'"
+    done
+    rm -r 2e-04 0.0002 2>/dev/null || true
+
+    # Entries of what is ours.
+    echo "$header drive { type superficialVelocityForce; }" >constant/fvOptions
+    refused "no velocity to drive to" "superficialVelocity" "add superficialVelocity (0 0 0.1);"
+    rm constant/fvOptions
+    sed -i '/^    inlet/,/^    }/c\    inlet { type superficialInletVelocity; superficialVelocity (0 0 1); volumetricFlowRate 1e-6; }' 0/U
+    refused "two flows at an inlet" "superficialVelocity and volumetricFlowRate"
     ;;
   *)
     echo "unknown test: $test" >&2

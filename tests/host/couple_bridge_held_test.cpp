@@ -67,8 +67,8 @@ double drag() { return kRelaxed * sphere_mass(kDiameter) / kStep; }
 
 std::string gas() {
   const double inertia = 0.1 * sphere_mass(kDiameter) * kDiameter * kDiameter;
-  return interval() + "wind=2,1,-1 react=2e-8,-1e-8,3e-8 drag=" + text(drag()) + " turn=" +
-         text(kFluidSpin) + "," + text(kSpinRelaxed * inertia / kStep) + ",0";
+  return interval() + "wind=2,1,-1 react=2e-8,-1e-8,3e-8 drag=" + text(drag()) +
+         " turn=" + text(kFluidSpin) + "," + text(kSpinRelaxed * inertia / kStep) + ",0";
 }
 
 /// Columns: velocity, spin about z, reaction impulse.
@@ -95,8 +95,8 @@ void expect_motion(const Kind& kind, const std::vector<double>& row, const std::
     for (int k = 0; k < 3; ++k) {
       const double gain = relaxed(k, n) - kStart[k];
       velocity += kind.free[c][k] * gain;
-      impulse += kind.free[c][k] *
-                 (m * gain - n * kStep * (drag() * (kWind[k] - kStart[k]) + kReact[k]));
+      impulse +=
+          kind.free[c][k] * (m * gain - n * kStep * (drag() * (kWind[k] - kStart[k]) + kReact[k]));
     }
     // Roundings of ten steps
     EXPECT_NEAR(row[c], velocity, 1e-13) << name << ", velocity " << c;
@@ -147,12 +147,12 @@ TEST(CoupleBridgeHeldRuns, FixesComeAndGoBetweenRuns) {
   Sphere s = grain(0.0);
   std::copy(kStart.begin(), kStart.end(), s.v);
   c.write_spheres("spheres.data", {s}, 1e-2);
-  const Outcome o = c.couple(
-      header(soft_spheres(), "spheres.data") +
-          "fix gas all couple/bridge every 10\nfix still all setforce 0 0 0\n"
-          "fix integrate all nve/sphere\n" +
-          held_dump(kEvery) + "run 10\nunfix still\nrun 10\nunfix integrate\nrun 10\n",
-      {gas()});
+  const Outcome o =
+      c.couple(header(soft_spheres(), "spheres.data") +
+                   "fix gas all couple/bridge every 10\nfix still all setforce 0 0 0\n"
+                   "fix integrate all nve/sphere\n" +
+                   held_dump(kEvery) + "run 10\nunfix still\nrun 10\nunfix integrate\nrun 10\n",
+               {gas()});
   ASSERT_EQ(o.status, 0) << o.output;
   auto dump = read_dump(c.folder() / "held.dump");
   for (int k = 0; k < 3; ++k) {
@@ -165,9 +165,9 @@ TEST(CoupleBridgeHeldRuns, FixesComeAndGoBetweenRuns) {
 TEST(CoupleBridgeHeldRuns, AMeanOfForcesIsRefused) {
   const LiggghtsCase c("couple_held_mean");
   c.write_spheres("spheres.data", {grain(-1e-3), grain(1e-3)}, 1e-2);
-  const Outcome o = c.couple(header(soft_spheres(), "spheres.data") +
-                                 "fix mean all aveforce 0 0 0\n" + kGas + "run 10\n",
-                             {gas()});
+  const Outcome o = c.couple(
+      header(soft_spheres(), "spheres.data") + "fix mean all aveforce 0 0 0\n" + kGas + "run 10\n",
+      {gas()});
   EXPECT_NE(o.status, 0);
   EXPECT_LT(o.status, 124) << o.output;
   for (const char* part : {"given: fix mean aveforce", "allowed: ", "to do: remove it"}) {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "caseChecks.H"
+#include "mpiWorld.H"
 #include "IOdictionary.H"
 #include "HashSet.H"
 #include "OSspecific.H"
-#include "StringStream.H"
 #include "Time.H"
 #include "uniformDimensionedFields.H"
 
@@ -188,6 +188,16 @@ namespace
         }
     }
 
+    string inOneLine(const wordList& words)
+    {
+        string line;
+        for (const word& w : words)
+        {
+            line += (line.empty() ? "" : " ") + w;
+        }
+        return line;
+    }
+
     // A misspelt entry would leave its default in force
     void checkControls(const fvMesh& mesh, const word& name)
     {
@@ -200,22 +210,18 @@ namespace
         wordList unknown;
         for (const entry& e : mesh.solutionDict().subDict(name))
         {
-            if (!e.isPattern() && !known.found(e.keyword()))
+            if (!e.keyword().isPattern() && !known.found(e.keyword()))
             {
                 unknown.append(e.keyword());
             }
         }
         if (unknown.size())
         {
-            OStringStream given;
-            OStringStream allowed;
-            given << flatOutput(unknown);
-            allowed << flatOutput(known.sortedToc());
             warn
             ({
                 "entries of " + name + " in system/fvSolution that are not read",
-                given.str(),
-                allowed.str(),
+                inOneLine(unknown),
+                inOneLine(known.sortedToc()),
                 "correct their names, or remove them"
             });
         }
@@ -285,6 +291,7 @@ Foam::word Foam::caseChecks::algorithm(const fvMesh& mesh)
     };
     if (hasSimple)
     {
+        mpiWorld::letFirstRankSpeak();
         FatalErrorInFunction << missing << exit(FatalError);
     }
     warn(missing);
@@ -300,6 +307,7 @@ void Foam::caseChecks::check(const fvMesh& mesh)
 
     if (found.size())
     {
+        mpiWorld::letFirstRankSpeak();
         auto& error = FatalErrorInFunction;
         error
             << "files that would be left out" << nl << nl;

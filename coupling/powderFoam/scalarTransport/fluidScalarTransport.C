@@ -86,7 +86,7 @@ Foam::functionObjects::fluidScalarTransport::fluidScalarTransport
                 runTime.timeName(),
                 mesh_,
                 IOobject::MUST_READ,
-                IOobject::NO_WRITE
+                IOobject::AUTO_WRITE
             ),
             mesh_
         )
@@ -149,9 +149,8 @@ bool Foam::functionObjects::fluidScalarTransport::execute()
 
 bool Foam::functionObjects::fluidScalarTransport::write()
 {
-    // Here, not with the other fields: those are written before it is solved
-    T_->write();
-    return true;
+    // With the other fields the one of the step before was written
+    return !time_.writeTime() || T_->write();
 }
 
 
