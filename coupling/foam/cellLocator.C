@@ -350,11 +350,13 @@ Foam::label Foam::cellLocator::find
 
 Foam::cellLocator::claim Foam::cellLocator::claimOf
 (
-    const point& position
+    const point& position,
+    const bool refused
 ) const
 {
     const scalar tolerance = planesApart*onFace_;
-    label celli = search(moved(position, 0), -1, tolerance);
+    label celli =
+        refused ? inNoCell : search(moved(position, 0), -1, tolerance);
     if (celli != inNoCell)
     {
         return {celli, 0};

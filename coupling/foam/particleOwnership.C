@@ -49,11 +49,12 @@ void Foam::particleOwnership::offer
     labelList first(nOffers, labelMax);
     labelList cells(nOffers);
     label row = 0;
-    for (const pointField& points : offers)
+    forAll(offers, from)
     {
-        for (const point& position : points)
+        for (const point& position : offers[from])
         {
-            const cellLocator::claim claim = locator_.claimOf(position);
+            const cellLocator::claim claim =
+                locator_.claimOf(position, from == me);
             cells[row] = claim.cell;
             if (claim.cell >= 0)
             {

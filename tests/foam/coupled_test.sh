@@ -348,6 +348,7 @@ FIELDS
       limit_s=30 mpi 1 "$2" state="$work/whole/dem.state.100" || code=$?
       [[ $code != 0 && $code != 124 ]] || failed "$1: exit status $code"
       error_text "$1" "checkpoint of the fluid at the start, time 0.0002 s" "$3" "powderlink restart CASE"
+      [[ $(grep -c 'given:' log) == 1 ]] || failed "$1: said more than once"
       [[ ! -e 0.0004 && ! -e processor0/0.0004 ]] || failed "$1: the run went on"
     }
     cut() { truncate -s $(($(stat -c %s "$1")/2)) "$1"; }

@@ -3,7 +3,7 @@
 #include "writtenFiles.H"
 #include "IFstream.H"
 #include "IOdictionary.H"
-#include "mpiWorld.H"
+#include "OSspecific.H"
 #include "Time.H"
 #include "fileOperation.H"
 #include "ListOps.H"
@@ -233,7 +233,13 @@ void Foam::writtenFiles::checkStart(const fvMesh& mesh)
     const string wrong = firstOf(firstNotWhole(mesh, folder, clock));
     if (!wrong.empty())
     {
-        mpiWorld::letFirstRankSpeak();
+        // All ranks know: the first one says so and ends the job
+        constexpr unsigned int patience_s = 10;
+        if (!Pstream::master())
+        {
+            Foam::sleep(patience_s);
+            Pstream::exit(1);
+        }
         FatalErrorInFunction
             << "checkpoint of the fluid at the start, time "
             << mesh.time().timeName() << " s" << nl
