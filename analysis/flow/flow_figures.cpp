@@ -63,8 +63,10 @@ std::vector<std::string> draw_flow_figures(const FlowReport& report, const fs::p
       "slope={:.9g}; intercept={:.9g}; from_place={:.9g}; to_place={:.9g}; from_s={:.9g}; "
       "mean_flow={:.9g}; rms={:.9g}; average_ms={:g}; axis='{}'; across='{}'; up='{}'; enough={}",
       report.slope ? axis.way * report.slope->slope_Pa_m : 0.0,
-      report.slope ? report.slope->intercept_Pa : 0.0, std::max(window.from_m, -kFar_m),
-      std::min(window.to_m, kFar_m), window.from_s, report.mean_flow_kg_s.value_or(0.0),
+      report.slope ? report.slope->intercept_Pa : 0.0,
+      std::max(report.slope ? report.slope->from_m : window.from_m, -kFar_m),
+      std::min(report.slope ? report.slope->to_m : window.to_m, kFar_m), window.from_s,
+      report.mean_flow_kg_s.value_or(0.0),
       report.irregularity ? report.irregularity->rms_percent : -1.0, 1e3 * report.options.average_s,
       axis.letter(), "xyz"[axis.across()], "xyz"[axis.up()], kEnough);
   std::vector<std::string> notes;

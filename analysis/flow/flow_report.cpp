@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <tuple>
 
@@ -170,6 +171,16 @@ void read_gas(const fs::path& folder, FlowReport& report) {
         sets.size(), report.pressure->name));
   }
   report.slope = fit_slope(*report.pressure, window.from_m, window.to_m, window.axis);
+  if (!report.slope && !report.options.from_m && !report.options.to_m) {
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    report.slope = fit_slope(*report.pressure, -kInfinity, kInfinity, window.axis);
+    if (report.slope) {
+      report.notes.push_back(fmt::format(
+          "fewer than two probes at {}, the last third of the channel: the pressure slope is that "
+          "of all probes",
+          text_of(window)));
+    }
+  }
   if (!report.slope) {
     report.notes.push_back(
         fmt::format("no pressure slope: the probes '{}' have no two places at {} with values after "
@@ -193,7 +204,8 @@ std::string pressure_table(const FlowReport& report) {
   text += fmt::format("{}_m,pressure_Pa,fit_Pa\n", window.axis.letter());
   for (const ProbeMean& probe : report.pressure->probes) {
     std::optional<double> fit;
-    if (report.slope && window.holds(probe.place_m)) {
+    if (report.slope && probe.place_m >= report.slope->from_m &&
+        probe.place_m <= report.slope->to_m) {
       fit = report.slope->intercept_Pa - window.axis.way * report.slope->slope_Pa_m * probe.place_m;
     }
     text += fmt::format("{:.9g},{:.9g},{}\n", probe.place_m, probe.pressure_Pa, cell(fit));

@@ -191,7 +191,7 @@ std::optional<PressureSlope> fit_slope(const PressureProfile& profile, double fr
   if (s.size() < 2 || s.front() == s.back()) return {};
   const auto [intercept, rise, r_squared] =
       boost::math::statistics::simple_ordinary_least_squares_with_R_squared(s, p);
-  return PressureSlope{intercept, -axis.way * rise, r_squared, axis.way, s.size()};
+  return PressureSlope{intercept, -axis.way * rise, r_squared, axis.way, from_m, to_m, s.size()};
 }
 
 }  // namespace powderlink::analysis

@@ -31,7 +31,8 @@ struct PressureProfile {
 
 struct PressureSlope {
   double intercept_Pa = 0.0, slope_Pa_m = 0.0, r_squared = 0.0;
-  int way = 1;  ///< of the axis: p = intercept - way slope s
+  int way = 1;                      ///< of the axis: p = intercept - way slope s
+  double from_m = 0.0, to_m = 0.0;  ///< places that were fitted
   std::size_t probes = 0;
 };
 

@@ -18,8 +18,9 @@ struct FlowPictureOptions {
   std::optional<double> time_s;       ///< of the gas: the dump nearest to it; default: the last one
   std::optional<std::string> axis;    ///< x, y or z; default: the channel's
   std::optional<double> time_step_s;  ///< of the DEM
-  std::optional<double> length_m;     ///< of a strip; default: 8 times the height of the channel, or all of it
-  std::optional<double> at_m;         ///< one strip, its middle here; default: begin, middle, end
+  std::optional<double>
+      length_m;  ///< of a strip; default: 8 times the height of the channel, or all of it
+  std::optional<double> at_m;  ///< one strip, its middle here; default: begin, middle, end
   std::optional<std::string> title;
 };
 

@@ -126,6 +126,13 @@ TEST(FlowAxis, ShortDuctHasDefaultsThatFit) {
   const FlowReport half = analyse_flow(folder.path(), options);
   EXPECT_NEAR(*half.particles.velocity_mean_m_s(), 1.01, 1e-9);
   EXPECT_NE(half.notes.front().find("last third"), std::string::npos) << half.notes.front();
+  // Two probes, at inlet and outlet: their slope, not none.
+  write_in(folder, "postProcessing/ends/0/p",
+           "# Probe 0 (0 0 0)\n# Probe 1 (0 0 0.04)\n# Time\n1e-3 8 4\n2e-3 8 4\n");
+  options.density_kg_m3 = 1.5;
+  const FlowReport ends = analyse_flow(folder.path(), options);
+  ASSERT_TRUE(ends.slope);
+  EXPECT_NEAR(ends.slope->slope_Pa_m, 1.5 * 4.0 / 0.04, 1e-9);
   // Periodic along the axis: nothing develops.
   box.replace(box.find("BOUNDS ff ff ff"), 15, "BOUNDS ff ff pp");
   write_in(folder, "post/particles_0.dump", box);

@@ -36,6 +36,16 @@ TEST(ParticleClock, SubtractsWhatTheParticlesAreAhead) {
   }
 }
 
+TEST(ParticleClock, TheGasMayBeAheadToo) {
+  POWDERLINK_NEEDS_FOAM();
+  // Steady gas of 0.5 s, new particles.
+  const TestFolder folder;
+  write_clock(folder, "0.6", "particlesAhead -0.5;");
+  ParticleClock clock(folder.path(), 1e-6);
+  EXPECT_NEAR(clock.gas_time_s(0L), 0.5, 1e-12);
+  EXPECT_NEAR(clock.gas_time_s(100000L), 0.6, 1e-12);
+}
+
 TEST(ParticleClock, EachPartOfARunHasItsOwn) {
   POWDERLINK_NEEDS_FOAM();
   const TestFolder folder;
