@@ -32,7 +32,7 @@ std::string lines_text(const std::vector<int>& lines) {
 /// A line as a message shows it.
 std::string shown(std::string_view line) {
   constexpr std::size_t most = 100;
-  return "'" + printable(std::string(line.substr(0, most))) + (line.size() > most ? "..." : "") +
+  return "'" + for_terminal(std::string(line.substr(0, most))) + (line.size() > most ? "..." : "") +
          "'";
 }
 

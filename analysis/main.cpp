@@ -51,7 +51,7 @@ int main(int argc, char** argv) {
     return run(argc, argv);
   } catch (const std::exception& e) {
     // Names and cells of users may hold anything.
-    std::fprintf(stderr, "powderlink: %s\n", powderlink::analysis::printable(e.what()).c_str());
+    std::fprintf(stderr, "powderlink: %s\n", powderlink::analysis::for_terminal(e.what()).c_str());
     return kFailed;
   }
 }

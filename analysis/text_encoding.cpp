@@ -169,7 +169,7 @@ Text decoded(const std::string& bytes, const std::filesystem::path& path) {
   return text;
 }
 
-std::string printable(const std::string& text) {
+std::string for_terminal(const std::string& text) {
   std::string valid, result;
   utf8::replace_invalid(text.begin(), text.end(), std::back_inserter(valid));
   for (auto at = valid.begin(); at != valid.end();) {

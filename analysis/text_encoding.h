@@ -27,6 +27,6 @@ struct Text {
 Text decoded(const std::string& bytes, const std::filesystem::path& file);
 
 /// The same text for a terminal: valid UTF-8, no control characters but ends of lines.
-std::string printable(const std::string& text);
+std::string for_terminal(const std::string& text);
 
 }  // namespace powderlink::analysis

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "analysis/csv_table.h"
+#include "analysis/measurement_names.h"
 #include "models/invalid_input.h"
 
 namespace powderlink::analysis {
@@ -27,7 +27,10 @@ const Column kColumns[] = {
 }  // namespace
 
 std::vector<ContactRadius> read_contact_radii(const std::filesystem::path& file) {
-  const CsvTable table = read_csv(file);
+  CsvTable table = read_csv(file);
+  std::vector<std::string> names;
+  for (const Column& c : kColumns) names.emplace_back(c.name);
+  name_columns(table, names);
   std::vector<ContactRadius> list(table.rows.size());
   for (const Column& c : kColumns) {
     const auto column = table.find_column(c.name);

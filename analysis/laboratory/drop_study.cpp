@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/csv_plain.h"
 #include "analysis/file_text.h"
 #include "analysis/study.h"
 #include "analysis/study_material.h"
@@ -100,13 +101,12 @@ DropStudy::DropStudy(fs::path study, const KatAnalysis& a)
         "give the time of contact of all drops of a study or of none");
   }
   for (const CsvTable::Row& r : table.rows) {
-    if (fmt::format("{}", fmt::join(r.cells, ",")) != row) continue;
+    if (plain_row(table, r) != row) continue;
     throw InvalidInput(fmt::format("{}, line {}", table_.string(), r.line), row, "every drop once",
                        "leave --study away when a drop is evaluated again");
   }
-  table_text_ = file_text(table_);
-  if (!table_text_.empty() && table_text_.back() != '\n') table_text_ += '\n';
-  table_text_ += row + "\n";
+  // A spreadsheet may have saved it in its own form since.
+  table_text_ = plain_csv(table, file_text(table_)) + row + "\n";
   rows_ = static_cast<int>(table.rows.size()) + 1;
 }
 

@@ -9,6 +9,7 @@
 #include "analysis/particles/imagej_perimeter.h"
 #include "analysis/particles/particle_columns.h"
 #include "analysis/particles/table_doubts.h"
+#include "analysis/text_encoding.h"
 #include "models/invalid_input.h"
 
 namespace powderlink::analysis {
@@ -237,6 +238,7 @@ ParticleSet read_particle_tables(const std::vector<fs::path>& files,
     if (pixel_size_um) set.pixel_size_um = pixel_size_um;
   }
   note_noise(set, sure ? pixel_um : std::nullopt);
+  for (std::string& note : set.notes) note = for_terminal(note);  // names of files may hold anything
   return set;
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "analysis/csv_number.h"
@@ -24,6 +25,12 @@ constexpr double kWorst = 0.1;                            // share of the grains
 constexpr double kRagged = 0.5;                           // circularity of the median grain
 constexpr double kFewPixels = 5.0;                        // median diameter
 constexpr double kCircDiffers = 0.03;  // of Circ. from 4 pi A/P^2: ImageJ rounds to 0.001
+
+const char* const kNoThousands = "areas with decimal points and without separators of thousands";
+const char* const kPlainNumbers =
+    "the mark parts thousands: show the column as plain numbers in the spreadsheet, or take the "
+    "table "
+    "as ImageJ saved it";
 
 template <class Value>
 double median(std::vector<Value> values) {
@@ -119,9 +126,35 @@ void check_thousands(const RawTable& raw) {
       raw.table.place(raw.table.rows[first], raw.columns.area),
       fmt::format("{}; with 1000 times the area {:.2g}, and so in {} rows", row_text(raw, first),
                   thousand * isoperimetric_ratio(raw.particles[first]), suspects.size()),
-      "areas with decimal points and without separators of thousands",
-      "the mark parts thousands: show the column as plain numbers in the spreadsheet, or take the "
-      "table as ImageJ saved it");
+      kNoThousands, kPlainNumbers);
+}
+
+/// The same where Circ. gives the perimeters, and they thus fit any area: 1.399 below all of 872, 915, ...
+void check_thousands_by_form(const RawTable& raw) {
+  constexpr std::size_t least = 3;
+  std::size_t whole = 0, grouped = 0, first = 0;
+  double largest_grouped = 0.0, smallest_whole = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < raw.particles.size(); ++i) {
+    const double area = raw.particles[i].area_um2;
+    const NumberForm form = number_form(area_cell(raw, i));
+    if (form.same) {
+      ++whole;
+      smallest_whole = std::min(smallest_whole, area);
+    } else if (form.grouped) {
+      first = grouped++ == 0 ? i : first;
+      largest_grouped = std::max(largest_grouped, area);
+    } else {
+      return;
+    }
+  }
+  if (whole < least || grouped < least || largest_grouped >= smallest_whole) return;
+  throw InvalidInput(
+      raw.table.place(raw.table.rows[first], raw.columns.area),
+      fmt::format(
+          "{}, one of {} areas with three digits behind the mark and all of them smaller than "
+          "the {} whole numbers, from {:g} on",
+          area_cell(raw, first), grouped, whole, smallest_whole),
+      kNoThousands, kPlainNumbers);
 }
 
 void check_thinnest(const RawTable& raw) {
@@ -162,6 +195,7 @@ std::vector<std::string> check_shapes(const RawTable& raw) {
   std::vector<std::string> notes;
   check_roundest(raw, notes);
   check_thousands(raw);
+  if (!raw.columns.perimeter) check_thousands_by_form(raw);
   check_thinnest(raw);
   if (raw.columns.perimeter && raw.columns.circularity) {
     std::size_t differ = 0;

@@ -61,7 +61,7 @@ TEST(TextEncoding, WhatIsNoTextIsNamed) {
 }
 
 TEST(TextEncoding, TerminalsGetNoInvalidBytesAndNoControls) {
-  EXPECT_EQ(printable("a\xB5\x1B[2J\tb\n\u00B5\u009B"), "a\uFFFD?[2J b\n\u00B5?");
+  EXPECT_EQ(for_terminal("a\xB5\x1B[2J\tb\n\u00B5\u009B"), "a\uFFFD?[2J b\n\u00B5?");
 }
 
 }  // namespace

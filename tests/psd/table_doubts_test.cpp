@@ -79,6 +79,9 @@ TEST(TableDoubts, ThousandsThatWereGroupedAreRefused) {
   refused(text, {"line 3, column 'Area'", "thousands", "plain numbers"});
   // One row of many is enough where whole numbers stand beside it.
   refused("Area,Perim.\n872,110.2\n905,112.4\n1.012,118.5\n640,94.6\n", {"line 4, column 'Area'"});
+  // Without perimeters only the form tells.
+  refused("Area,Circ.\n872,0.91\n1.399,0.92\n905,0.9\n1.012,0.9\n640,0.93\n2.115,0.92\n",
+          {"line 3, column 'Area'", "thousands"});
   // The same from a country of decimal commas says it all, and is read.
   const std::string sure = table("Area;Perim.;Circ.", [&](const PixelShape& s) {
     std::string row = fmt::format("{:.3f};{:.3f}", s.perimeter_px, s.circularity());
