@@ -72,6 +72,7 @@ RetentionOptions read_retention(const CLI::App& c, const Options& o, const Grain
                                                       "use 200, or 2000 for a smoother interval"));
   r.seed = o.seed;
   r.nominal_ratio = grains.ratio_of_files();
+  r.pixel_um = grains.pixel_size_um.value_or(0.0);
   if (c.count("--area-ratio") > 0) r.area_ratio = o.area_ratio;
   if (c.count("--fields-before") > 0) {
     r.area_ratio = require_within(o.fields_after, 1.0, 1e6, "--fields-after", "",

@@ -151,7 +151,8 @@ DeviceSession::Ending DeviceSession::exchange(const std::string& word, const std
     }
     if (mine && answer == "ok") taken = true;
     // Its `ok` may have been the damaged line; a drop's end tells as well.
-    if (word == "drop" && (answer == "drop" || ended(*line))) taken = true;
+    const bool begins_report = answer == "drop" && line->find("n") != nullptr;
+    if (word == "drop" && (begins_report || ended(*line))) taken = true;
     const std::string last = last_of(word);
     if (taken && (last.empty() || answer == last)) return Ending::done;
   }

@@ -78,6 +78,7 @@ void add_drop(const Cells& cells, std::vector<KatRow>& rows, std::vector<std::st
     if (std::find(notes.begin(), notes.end(), note) == notes.end()) notes.push_back(note);
   RetentionOptions options;
   options.nominal_ratio = grains.ratio_of_files();
+  options.pixel_um = grains.pixel_size_um.value_or(0.0);
   options.area_ratio = cells.number("area_ratio");
   if (options.area_ratio) cells.within("area_ratio", *options.area_ratio, 1e-3, 1e3);
   double width = kClassWidth;

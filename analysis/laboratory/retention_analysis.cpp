@@ -7,6 +7,7 @@
 #include <boost/math/tools/minima.hpp>
 #include <cmath>
 
+#include "analysis/laboratory/pixel_scatter.h"
 #include "models/invalid_input.h"
 
 namespace powderlink::analysis {
@@ -56,13 +57,13 @@ void require_fewer_after(double before, double after, const RetentionOptions& o)
 }
 
 /// The best share of strays, and what it gains in 2 ln L.
-double fit_strays(const GrainSample& sample, std::optional<double> ratio, double least,
+double fit_strays(const GrainSample& sample, const RetentionOptions& o, double least,
                   const RetentionFit& fit, double& gain) {
   constexpr int bits = 8;
   boost::uintmax_t turns = 20;
   const GrainSample joined = sample.joined(fit.log_critical, kJoin, kJoin);
   const auto loss = [&](double log_share) {
-    const RetentionLikelihood l(joined, ratio, std::exp(log_share));
+    const RetentionLikelihood l(joined, o.area_ratio, std::exp(log_share), o.pixel_um);
     return -fit_width(l, whole_search(joined)).log_likelihood;
   };
   const auto [at, value] = boost::math::tools::brent_find_minima(
@@ -88,8 +89,16 @@ void require_seen(const RetentionLikelihood& l, const RetentionFit& fit,
       "and after");
 }
 
-Estimate estimate(double log_value, const LogInterval& i) {
-  return {std::exp(log_value), std::exp(i.low), std::exp(i.high)};
+/// How much further from the value an end is for an error of its own.
+double further(double distance, double shift) {
+  const double before = std::max(0.0, distance);
+  return std::hypot(before, shift) - before;
+}
+
+Estimate estimate(double log_value, const LogInterval& i, double pixel_um) {
+  const double shift = kNormal95 * pixel_shift(log_value, pixel_um);
+  return {std::exp(log_value), std::exp(i.low - further(log_value - i.low, shift)),
+          std::exp(i.high + further(i.high - log_value, shift))};
 }
 
 /// The ideal truncation's d_c may lie beside a likelihood interval that has a gap.
@@ -115,7 +124,7 @@ void warn(RetentionAnalysis& a, const GrainSample& sample, const RetentionOption
     }
     return;
   }
-  const RetentionLikelihood free(sample, std::nullopt, a.strays);
+  const RetentionLikelihood free(sample, std::nullopt, a.strays, o.pixel_um);
   const RetentionFit& f = a.width;
   if (2.0 * (free(f.log_critical, f.width) - f.log_likelihood) > kStrayThreshold) {
     a.warnings.push_back(
@@ -149,14 +158,14 @@ RetentionAnalysis fitted(const GrainSample& sample, const RetentionOptions& o) {
   a.after = sample.after();
   const double least = kStrayGrains / a.before;
   a.strays = least;
-  const RetentionLikelihood plain(sample, o.area_ratio, least);
+  const RetentionLikelihood plain(sample, o.area_ratio, least, o.pixel_um);
   a.width = fit_width(plain, whole_search(sample));
   require_seen(plain, a.width, o);
   double gain = 0.0;
-  const double strays = fit_strays(sample, o.area_ratio, least, a.width, gain);
+  const double strays = fit_strays(sample, o, least, a.width, gain);
   a.strays_fitted = gain > kStrayThreshold;
   if (a.strays_fitted) a.strays = strays;
-  const RetentionLikelihood likelihood(sample, o.area_ratio, a.strays);
+  const RetentionLikelihood likelihood(sample, o.area_ratio, a.strays, o.pixel_um);
   if (a.strays_fitted) a.width = fit_width(likelihood, whole_search(sample));
   a.ideal = fit_truncation(likelihood);
   a.evidence = width_evidence(a.ideal, a.width);
@@ -184,13 +193,15 @@ RetentionAnalysis analyse_retention(const std::vector<double>& before_um,
                                     const RetentionOptions& options) {
   RetentionAnalysis a = fit_retention(before_um, after_um, options);
   const GrainSample sample(before_um, after_um);
-  const RetentionLikelihood likelihood(sample, options.area_ratio, a.strays);
+  const RetentionLikelihood likelihood(sample, options.area_ratio, a.strays, options.pixel_um);
   const RetentionIntervals i =
       retention_intervals(likelihood, a.width, options.bootstrap_turns, options.seed);
-  a.critical = estimate(a.fit().log_critical, with(i.critical, a.fit().log_critical));
-  a.half_point = estimate(a.width.log_critical, i.critical);
-  a.truncation = estimate(a.ideal.log_critical, i.truncation);
-  a.largest_remaining = estimate(sample.largest_after(), i.largest_remaining);
+  a.critical =
+      estimate(a.fit().log_critical, with(i.critical, a.fit().log_critical), options.pixel_um);
+  a.half_point = estimate(a.width.log_critical, i.critical, options.pixel_um);
+  a.truncation = estimate(a.ideal.log_critical, i.truncation, options.pixel_um);
+  a.largest_remaining = {std::exp(sample.largest_after()), std::exp(i.largest_remaining.low),
+                         std::exp(i.largest_remaining.high)};
   return a;
 }
 

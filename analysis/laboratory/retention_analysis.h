@@ -23,6 +23,7 @@ namespace powderlink::analysis {
 struct RetentionOptions {
   std::optional<double> area_ratio{};
   double nominal_ratio = 1.0;
+  double pixel_um = 0.0;  ///< side of a pixel, by which measured diameters scatter; 0: not known
   int bootstrap_turns = 200;
   std::uint32_t seed = 1;
 };

@@ -26,9 +26,11 @@ double quantile(std::vector<double> values, double share) {
 /// A new draw of which grains were seen after; every diameter anywhere on its half of the way to its
 /// neighbours, since d_c may lie anywhere between two grains.
 template <class Random>
-GrainSample drawn(const GrainSample& sample, const RetentionFit& fit, double ratio, double strays,
+GrainSample drawn(const RetentionLikelihood& likelihood, const RetentionFit& fit, double ratio,
                   Random& random) {
-  const std::vector<GrainClass>& old = sample.classes();
+  const std::vector<GrainClass>& old = likelihood.sample().classes();
+  const double strays = likelihood.strays();
+  const double width = likelihood.seen_width(fit.log_critical, fit.width);
   std::vector<GrainClass> classes = old;
   boost::random::uniform_01<double> part;
   for (std::size_t i = 0; i < classes.size(); ++i) {
@@ -37,7 +39,7 @@ GrainSample drawn(const GrainSample& sample, const RetentionFit& fit, double rat
     const std::size_t neighbour = at < 0.0 ? i - (i > 0 ? 1 : 0) : std::min(i + 1, old.size() - 1);
     c.log_diameter += std::fabs(at) * (old[neighbour].log_diameter - old[i].log_diameter);
     const double share =
-        strays + (1.0 - strays) * retained_fraction(c.log_diameter, fit.log_critical, fit.width);
+        strays + (1.0 - strays) * retained_fraction(c.log_diameter, fit.log_critical, width);
     const double p = ratio * share / (1.0 + ratio * share);
     const double n = c.count();
     boost::random::binomial_distribution<int, double> draw(static_cast<int>(n), p);
@@ -90,16 +92,18 @@ RetentionIntervals retention_intervals(const RetentionLikelihood& likelihood,
                                        const RetentionFit& fit, int turns, std::uint32_t seed) {
   const double centre = fit.log_critical;
   const double ratio = likelihood.area_ratio(centre, fit.width);
-  const GrainSample sample = likelihood.sample().joined(centre, kResolution * fit.width, kGrowth);
-  const RetentionLikelihood joined(sample, likelihood.fixed_ratio(), likelihood.strays());
+  const double seen = likelihood.seen_width(centre, fit.width);
+  const GrainSample sample = likelihood.sample().joined(centre, kResolution * seen, kGrowth);
+  const RetentionLikelihood joined(sample, likelihood.fixed_ratio(), likelihood.strays(),
+                                   likelihood.pixel_um());
   const RetentionSearch near = search_around(fit, sample);
 
   boost::random::mt19937 random(seed);
   std::vector<double> fallen, largest;
   for (int turn = 0; turn < turns; ++turn) {
-    const GrainSample repeated = drawn(sample, fit, ratio, joined.strays(), random);
+    const GrainSample repeated = drawn(joined, fit, ratio, random);
     if (repeated.after() == 0.0 || repeated.before() == 0.0) continue;
-    const RetentionLikelihood l(repeated, joined.fixed_ratio(), joined.strays());
+    const RetentionLikelihood l(repeated, joined.fixed_ratio(), joined.strays(), joined.pixel_um());
     fallen.push_back(2.0 *
                      (fit_width(l, near).log_likelihood - fit_at(l, near, centre).log_likelihood));
     largest.push_back(repeated.largest_after());
@@ -123,9 +127,9 @@ RetentionIntervals retention_intervals(const RetentionLikelihood& likelihood,
   };
   i.truncation = interval(fall_of_truncation, ideal.log_critical, whole, kStepThreshold);
   constexpr double tail = 0.5 * (1.0 - kConfidence);
-  const double seen = sample.largest_after();
-  i.largest_remaining = {seen + centre - quantile(largest, 1.0 - tail),
-                         seen + centre - quantile(largest, tail)};
+  const double last = sample.largest_after();
+  i.largest_remaining = {last + centre - quantile(largest, 1.0 - tail),
+                         last + centre - quantile(largest, tail)};
   return i;
 }
 

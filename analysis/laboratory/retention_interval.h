@@ -12,6 +12,8 @@
 ///   largest     d_c = largest * d^_c/largest*, 2.5 and 97.5 % points over the turns: where d_c is,
 ///               seen from the largest remaining grain. It lies below d_c of a truncation and above
 ///               that of a smeared fraction; this is undone.
+/// The scatter of pixels is part of p(d) throughout, and widens what is exact without it; their shift
+/// (pixel_scatter.h) is added to the intervals afterwards.
 /// Deterministic: the generator (Mersenne twister, Boost.Random) starts from a given seed.
 /// Source: A. C. Davison, D. V. Hinkley, Bootstrap Methods and their Application, Cambridge 1997,
 /// Sections 4.2.2, 5.2.1 (parametric bootstrap of a likelihood ratio, basic intervals).

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/laboratory/pixel_scatter.h"
+
 namespace powderlink::analysis {
 
 namespace {
@@ -27,10 +29,16 @@ struct RetentionLikelihood::Split {
 };
 
 RetentionLikelihood::RetentionLikelihood(const GrainSample& sample,
-                                         std::optional<double> area_ratio, double strays)
-    : sample_(sample), fixed_ratio_(area_ratio), strays_(strays) {}
+                                         std::optional<double> area_ratio, double strays,
+                                         double pixel_um)
+    : sample_(sample), fixed_ratio_(area_ratio), strays_(strays), pixel_um_(pixel_um) {}
 
-RetentionLikelihood::Split RetentionLikelihood::split(double critical, double width) const {
+double RetentionLikelihood::seen_width(double critical, double width) const {
+  return std::hypot(width, pixel_scatter(critical, pixel_um_));
+}
+
+RetentionLikelihood::Split RetentionLikelihood::split(double critical, double own_width) const {
+  const double width = seen_width(critical, own_width);
   Split s;
   s.first = sample_.below(critical - kTail * width);
   s.end = std::max(s.first, width > 0.0 ? sample_.below(critical + kTail * width) : s.first);

@@ -3,7 +3,9 @@
 /// The command `kat device`: velocities against free fall, their uncertainty against repeated drops,
 /// the real core on a pseudo-terminal, damaged logs, and the way into a study.
 #include <cmath>
+#include <map>
 #include <random>
+#include <sstream>
 
 #include "analysis/kat_device/device_velocity.h"
 #include "analysis/study.h"
@@ -179,6 +181,57 @@ TEST(KatDevice, DamagedLogsAreNamed) {
   expect_four_parts(powderlink("kat device " + at + "none.log"), "none.log");
   EXPECT_EQ(powderlink("kat device " + at + "flipped.log --skip-damaged").status, 0);
   expect_four_parts(powderlink("kat device"), "neither a port nor a log");
+}
+
+/// What terminals make of a good session.
+TEST(KatDevice, AReportIsKnownByItsFieldsWhereverItStands) {
+  const TestFolder folder;
+  const std::string at = folder.path().string() + "/";
+  const std::string good = text_of(ideal_drop(0.2));
+  std::vector<std::string> lines;
+  std::istringstream in(good);
+  for (std::string line; std::getline(in, line);) lines.push_back(line);
+  const auto message = [](kat::LineWriter line) { return std::string(line.finish()); };
+  const std::string answer = message(kat::LineWriter("ok").text("cmd", "drop"));
+  std::map<std::string, std::string> logs;
+  logs["echo"] = "KAT1 arm*EC63\nKAT1 drop*FB12\n" + answer + good + "KAT1 report*F990\n" + good;
+  for (std::size_t i = 0; i < lines.size(); ++i) {  // typed while the report comes
+    logs["inside"] += lines[i] + "\n" + (i == 2 ? "KAT1 drop*FB12\nKAT1 status\n" : "");
+    logs["times"] += "12:03:04." + std::to_string(i) + " -> " + lines[i] + "\n";
+    logs["windows"] += "[2024-05-06T12:03:04Z] " + lines[i] + " \r\n";
+    logs["one line"] += lines[i];
+    logs["returns"] += lines[i] + "\r";
+    logs["pairs"] += lines[i] + (i % 2 == 0 ? " | " : "\n");
+  }
+  logs["half a line"] = "er_us=4567 leave_us=9999*ABCD\n\x01\xfe" + good;
+  logs["half a command"] = "KAT1 dr\b\bop*FB1\nKAT1 drop n=" + good;
+  logs["comment"] = "# KAT1 beam n=1 enter_us=oops\nKATs and KAT1 are devices\n" + good;
+  for (const auto& [name, text] : logs) {
+    folder.write("a.log", text);
+    const auto result = powderlink("kat device " + at + "a.log --force --csv " + at + "a.csv");
+    EXPECT_EQ(result.status, 0) << name << ": " << result.err;
+    ASSERT_EQ(read_csv(at + "a.csv").rows.size(), 1U) << name;
+  }
+  folder.write("a.log", logs["inside"]);
+  const auto noted = powderlink("kat device " + at + "a.log");
+  EXPECT_NE(noted.err.find("a.log, line 5: no message of the device (no_checksum): 'KAT1 status'"),
+            std::string::npos)
+      << noted.err;
+  // What is lost stays lost, and is named as what it is.
+  folder.write("late.log", good.substr(good.find("KAT1 beam")));
+  expect_four_parts(powderlink("kat device " + at + "late.log"), "drop 1 without its beginning");
+  EXPECT_EQ(powderlink("kat device --skip-damaged " + at + "late.log " + at + "a.log").status, 0);
+  folder.write("missing.log", lines[0] + "\n" + lines[2] + "\n");
+  expect_four_parts(powderlink("kat device " + at + "missing.log"), "line 2: broken report");
+  folder.write("other.log", "KAT2 drop n=1*0000\n");
+  const auto other = powderlink("kat device " + at + "other.log");
+  expect_four_parts(other, "no whole drop");
+  EXPECT_NE(other.err.find("line 1: no message of the device (bad_checksum)"), std::string::npos)
+      << other.err;
+  std::string wide = "\xff\xfe";
+  for (const char c : good) wide += std::string(1, c) + '\0';
+  folder.write("wide.log", wide);
+  expect_four_parts(powderlink("kat device " + at + "wide.log"), "UTF-16");
 }
 
 TEST(KatDevice, DropsOverASerialPort) {
