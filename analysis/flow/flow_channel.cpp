@@ -12,7 +12,8 @@ namespace powderlink::analysis {
 
 namespace {
 
-constexpr double kDownstream = 1.0 / 3.0;  // of the channel
+// Of the channel, with a margin so that a probe at two thirds of its length counts.
+constexpr double kDownstream = 1.0 / 3.0 + 1e-9;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 }  // namespace

@@ -87,7 +87,7 @@ nlohmann::json ask(const fs::path& case_folder, const nlohmann::json& questions)
 }
 
 fs::path in_case(const fs::path& case_folder, const fs::path& file) {
-  return fs::absolute(case_folder / file);
+  return fs::absolute(case_folder / file).lexically_normal();
 }
 
 nlohmann::json question_of(const fs::path& case_folder, const FoamQuestion& question) {
