@@ -238,7 +238,8 @@ ParticleSet read_particle_tables(const std::vector<fs::path>& files,
     if (pixel_size_um) set.pixel_size_um = pixel_size_um;
   }
   note_noise(set, sure ? pixel_um : std::nullopt);
-  for (std::string& note : set.notes) note = for_terminal(note);  // names of files may hold anything
+  for (std::string& note : set.notes)
+    note = for_terminal(note);  // names of files may hold anything
   return set;
 }
 

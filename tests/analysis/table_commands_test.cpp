@@ -92,6 +92,21 @@ TEST(TableCommands, RefusalsAreValidText) {
   refused("t.csv", "Area,Circ.\n1385,12.9\n1401,13.2\n1388,12.8\n", "P^2/A");
 }
 
+/// A dusty table, to which no law can be fitted: the words are the program's own.
+TEST(TableCommands, LibrariesKeepTheirLogs) {
+  const TestFolder folder;
+  std::string text = imagej_table(std::vector<double>(300, 36.0), 3);
+  for (int i = 0; i < 3000; ++i) text += "300,1,2.828,1.000,1,1,1\n";
+  folder.write("t.csv", text);
+  const CommandResult r =
+      powderlink("psd " + (folder.path() / "t.csv").string() +
+                 " --pixel-size-um 0.5 --no-figures --out " + (folder.path() / "out").string());
+  EXPECT_EQ(r.status, 0);
+  for (const char* log : {"InitGoogleLogging", ".cc:", "ceres"})
+    EXPECT_EQ(r.err.find(log), std::string::npos) << r.err;
+  EXPECT_NE(r.err.find("noise rather than grains?"), std::string::npos) << r.err;
+}
+
 /// d_c of grains of 0.5 um per pixel that ImageJ measured, true 46 um, by both diameters.
 TEST(TableCommands, PerimetersOfImagejGiveTheCriticalDiameter) {
   const TestFolder folder;
