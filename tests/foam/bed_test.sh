@@ -189,7 +189,7 @@ case $test in
     # warned of; a scalar of 1 stays 1.
     bed_flow='operation sum; regionType patch; name inlet; fields (alphaPhi); writeFields no; log no; writeControl timeStep;'
     for ranks in 1 2; do
-      for way in "superficialInletVelocity; volumetricFlowRate table ((0 1e-7) (0.02 1.2e-7));|1.2e-7" \
+      for way in "superficialInletVelocity; volumetricFlowRate table ((0 1e-7) (0.02 1.2e-7)); value uniform (0 0 0);|1.2e-7" \
         "superficialInletVelocity; superficialVelocity (0 0 2e-3);|1.23319e-7" \
         "flowRateInletVelocity; volumetricFlowRate 1e-6; value uniform (0 0 1e-2);|4.1e-7"; do
         [[ $ranks == 1 || $way == superficial*volumetric* ]] || continue

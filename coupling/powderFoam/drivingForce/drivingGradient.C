@@ -4,6 +4,7 @@
 #include "superficialVelocityForce.H"
 #include "fvMatrices.H"
 #include "fvOptions.H"
+#include "globalMeshData.H"
 #include "meanVelocityForce.H"
 #include "volFields.H"
 
@@ -22,6 +23,18 @@ namespace
 
         return
             options && options->optionList::size() ? options : nullptr;
+    }
+
+    // One that acts in some of the cells is a fan
+    bool actsEverywhere(const fv::option& source)
+    {
+        return
+            !isA<fv::cellSetOption>(source)
+         || returnReduce
+            (
+                refCast<const fv::cellSetOption>(source).cells().size(),
+                sumOp<label>()
+            ) == source.mesh().globalData().nTotalCells();
     }
 
     bool mayDrive(const fv::option& source)
@@ -83,6 +96,7 @@ namespace
                 fieldi != -1
              && mayDrive(source)
              && source.isActive()
+             && actsEverywhere(source)
              && uniformSource(source, fieldi, atRest, G)
             )
             {
