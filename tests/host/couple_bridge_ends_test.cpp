@@ -83,7 +83,6 @@ TEST(CoupleBridgeEnds, QuitOfAnUncoupledScript) {
     EXPECT_NE(o.output.find("command quit; given: quit soon; allowed: quit [STATUS]"),
               std::string::npos)
         << o.output;
-    }
   }
 }
 
@@ -99,8 +98,9 @@ TEST(CoupleBridgeEnds, AnEndBetweenTwoExchangesIsSaid) {
     EXPECT_EQ(o.status, 0) << o.output;
     const auto said = o.output.find("between the exchanges of steps ");
     EXPECT_EQ(said != std::string::npos, end.between) << o.output;
-    if (end.between)
+    if (end.between) {
       EXPECT_NE(o.output.find("0: the gas goes on to the latter", said), std::string::npos);
+    }
   }
 }
 
