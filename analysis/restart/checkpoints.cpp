@@ -64,8 +64,7 @@ std::map<std::string, fs::path> files_of(const fs::path& folder) {
 
 /// Names of the files that belong to the checkpoint, relative to its folders: those that every one must
 /// have, those that any processor has, and those that powderFoam says it has written.
-std::set<std::string> wanted_files(const FieldCheckpoint& checkpoint,
-                                   const std::string& written) {
+std::set<std::string> wanted_files(const FieldCheckpoint& checkpoint, const std::string& written) {
   std::set<std::string> wanted(kFields.begin(), kFields.end());
   bool has_clock = false;
   for (const fs::path& folder : checkpoint.folders) {
