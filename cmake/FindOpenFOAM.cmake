@@ -116,11 +116,10 @@ if(OpenFOAM_FOUND AND NOT TARGET OpenFOAM::OpenFOAM)
     INTERFACE_LINK_OPTIONS "LINKER:--no-as-needed")
   set_property(TARGET OpenFOAM::OpenFOAM APPEND PROPERTY
     INTERFACE_LINK_LIBRARIES MPI::MPI_CXX)
-  # GCC 12.2 with -O2 -march=znver3 packs terms of the viscous stress wrongly: the x component of U is
-  # off by per cents (foam.turbulence_stock).
-  set_property(TARGET OpenFOAM::OpenFOAM APPEND PROPERTY
-    INTERFACE_COMPILE_OPTIONS -fno-tree-slp-vectorize)
+  # List_ACCESS promises by __restrict__ that the operands of a field operation do not overlap, which a
+  # reused temporary breaks: T(tmp) is then no transpose where the compiler takes the promise up (GCC 12.2,
+  # -O2 with AVX2; findings/openfoam_restrict_transpose.sh). Test: foam.turbulence_stock.
   set_property(TARGET OpenFOAM::OpenFOAM APPEND PROPERTY
     INTERFACE_COMPILE_DEFINITIONS OPENFOAM=${OpenFOAM_VERSION} WM_${_foam_precision}
-    WM_LABEL_SIZE=${_foam_label_size} NoRepository OMPI_SKIP_MPICXX)
+    WM_LABEL_SIZE=${_foam_label_size} NoRepository OMPI_SKIP_MPICXX __restrict__=)
 endif()
