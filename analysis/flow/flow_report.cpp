@@ -46,9 +46,8 @@ void require_within(const FlowChannel& channel, const FlowOptions& options) {
   const auto reach = channel.reach_m();
   if (!reach) return;
   const double length_m = reach->second - reach->first;
-  const std::string channel_text = fmt::format(
-      "{} = {:g} to {:g} m, mesh and LIGGGHTS's box", channel.axis.letter(), reach->first,
-      reach->second);
+  const std::string channel_text = fmt::format("{} = {:g} to {:g} m, mesh and LIGGGHTS's box",
+                                               channel.axis.letter(), reach->first, reach->second);
   constexpr const char* kCure = "correct the option; lengths are in metres";
   if (options.slice_m && *options.slice_m > length_m) {
     throw InvalidInput("option --slice-thickness", fmt::format("{:g} m", *options.slice_m),

@@ -94,7 +94,8 @@ double ParticleClock::on_gas_clock(double particles_s) const {
   if (ahead_.empty()) return without_round_off(particles_s, particles_s);
   const auto next = ahead_.lower_bound(particles_s * (1.0 - kRounding));
   const double ahead_s = next == ahead_.end() ? ahead_.rbegin()->second : next->second;
-  return without_round_off(particles_s - ahead_s, std::max(std::abs(particles_s), std::abs(ahead_s)));
+  return without_round_off(particles_s - ahead_s,
+                           std::max(std::abs(particles_s), std::abs(ahead_s)));
 }
 
 double ParticleClock::gas_time_s(const DumpState& state) {
