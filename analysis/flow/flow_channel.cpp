@@ -30,6 +30,18 @@ std::optional<std::pair<double, double>> FlowChannel::stretch_m() const {
   return box.second > box.first ? std::optional(box) : std::nullopt;
 }
 
+std::optional<std::pair<double, double>> FlowChannel::reach_m() const {
+  const std::size_t i = axis.index;
+  std::pair<double, double> reach{state.box_low_m.at(i), state.box_high_m.at(i)};
+  const bool box = reach.second > reach.first;
+  if (mesh && box) {
+    reach = {std::min(reach.first, mesh->low_m.at(i)), std::max(reach.second, mesh->high_m.at(i))};
+  } else if (mesh) {
+    reach = {mesh->low_m.at(i), mesh->high_m.at(i)};
+  }
+  return mesh || box ? std::optional(reach) : std::nullopt;
+}
+
 std::pair<double, double> FlowChannel::developed_m() const {
   const auto stretch = stretch_m();
   if (!stretch || state.periodic.at(axis.index)) return {-kInfinity, kInfinity};

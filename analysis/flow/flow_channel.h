@@ -27,6 +27,8 @@ struct FlowChannel {
 
   /// From and to along the axis [m].
   std::optional<std::pair<double, double>> stretch_m() const;
+  /// Mesh and dumps' box together along the axis [m]: no particle is beyond.
+  std::optional<std::pair<double, double>> reach_m() const;
   /// The part that counts [m], infinite where nothing bounds it.
   std::pair<double, double> developed_m() const;
 };

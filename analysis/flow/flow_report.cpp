@@ -41,6 +41,26 @@ FlowWindow window_of(const FlowChannel& channel, const FlowOptions& options) {
   return window;
 }
 
+/// A flow is momentum over length: beyond the channel there is only length.
+void require_within(const FlowChannel& channel, const FlowOptions& options) {
+  const auto reach = channel.reach_m();
+  if (!reach) return;
+  const double length_m = reach->second - reach->first;
+  const std::string channel_text = fmt::format("{} = {:g} to {:g} m, mesh and LIGGGHTS's box",
+                                               channel.axis.letter(), reach->first, reach->second);
+  constexpr const char* kCure = "correct the option; lengths are in metres";
+  if (options.slice_m && *options.slice_m > length_m) {
+    throw InvalidInput("option --slice-thickness", fmt::format("{:g} m", *options.slice_m),
+                       "at most the length of the channel: " + channel_text, kCure);
+  }
+  const double hair_m = 1e-6 * length_m;  // digits of a dump's box
+  if (const auto& slice = options.flow_slice_m;
+      slice && (slice->from < reach->first - hair_m || slice->to > reach->second + hair_m)) {
+    throw InvalidInput("option --slice", fmt::format("{:g} {:g}", slice->from, slice->to),
+                       "two places in the channel: " + channel_text, kCure);
+  }
+}
+
 /// `z >= 0.2 m`, in words.
 std::string text_of(const FlowWindow& window) {
   const char letter = window.axis.letter();
@@ -327,12 +347,12 @@ FlowReport analyse_flow(const fs::path& folder, const FlowOptions& options,
   } catch (const InvalidInput& e) {
     no_dumps = e.what();
   }
-  FlowReport report(
-      options,
-      window_of(look_at_channel(folder, dumps.empty() ? DumpState{} : read_last_state(dumps.back()),
-                                options.axis, options.probes),
-                options));
+  const FlowChannel channel =
+      look_at_channel(folder, dumps.empty() ? DumpState{} : read_last_state(dumps.back()),
+                      options.axis, options.probes);
+  FlowReport report(options, window_of(channel, options));
   if (!dumps.empty()) {
+    require_within(channel, options);
     read_particles(folder, dumps, report, progress);
     judge_particles(report);
   }

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/flow/particle_clock.h"
 
+#include <algorithm>
 #include <charconv>
+#include <cmath>
+
+#include <fmt/format.h>
 
 #include "analysis/flow/dem_time_step.h"
 #include "analysis/foam/foam_files.h"
@@ -20,6 +24,16 @@ std::optional<double> time_of_name(const std::string& name) {
   const auto [end, error] = std::from_chars(name.data(), last, time);
   if (error != std::errc() || end != last) return {};
   return time;
+}
+
+/// `time_s` without the round-off of times as long as `scale_s`: 13000 steps of 1 us less 3 ms are the 0.01 s
+/// that a user writes, and not before them.
+double without_round_off(double time_s, double scale_s) {
+  if (!(std::abs(scale_s) > 0.0) || !std::isfinite(scale_s)) return time_s;
+  constexpr int digits = 12;
+  const int decimals = digits - static_cast<int>(std::floor(std::log10(std::abs(scale_s))));
+  const std::string text = fmt::format("{:.{}f}", time_s, std::max(decimals, 0));
+  return time_of_name(text).value_or(time_s);
 }
 
 std::string unquoted(const std::string& text) {
@@ -77,9 +91,11 @@ ParticleClock::ParticleClock(const fs::path& case_folder, std::optional<double> 
 }
 
 double ParticleClock::on_gas_clock(double particles_s) const {
-  if (ahead_.empty()) return particles_s;
+  if (ahead_.empty()) return without_round_off(particles_s, particles_s);
   const auto next = ahead_.lower_bound(particles_s * (1.0 - kRounding));
-  return particles_s - (next == ahead_.end() ? ahead_.rbegin()->second : next->second);
+  const double ahead_s = next == ahead_.end() ? ahead_.rbegin()->second : next->second;
+  return without_round_off(particles_s - ahead_s,
+                           std::max(std::abs(particles_s), std::abs(ahead_s)));
 }
 
 double ParticleClock::gas_time_s(const DumpState& state) {

@@ -158,6 +158,8 @@ class Listener {
 };
 
 constexpr double greeting_patience_s = 1.0;
+// The next pass of a script's loop comes while the solver of the last one is about to end.
+constexpr int end_patience_ms = 200;
 
 /// Of a client that has not been let in: a greeting with its token.
 FrameLimits limits_of_strangers() {
@@ -213,6 +215,7 @@ class Doorman {
       try {
         if (auto socket = listener_->accept(Deadline(0.0))) {
           SocketStream stream(std::move(*socket), "a second client");
+          if (poll(entries, 1, end_patience_ms) > 0) return;  // it will look for the next listener
           stream.set_limits(limits_of_strangers());
           send_away(stream,
                     "connection to " + listener_->text() +
@@ -376,10 +379,16 @@ std::unique_ptr<Transport> connect_to_socket(const SocketOptions& options) {
       if (try_connect(socket, resolved.endpoint, deadline, why)) {
         no_delay(socket, address);
         SocketStream stream(std::move(socket), address.text());
-        greet_server(stream, options.token, deadline);
-        return std::make_unique<SocketTransport>(std::move(io), std::move(stream));
+        try {
+          greet_server(stream, options.token, deadline);
+          return std::make_unique<SocketTransport>(std::move(io), std::move(stream));
+        } catch (const BridgeError& e) {
+          if (e.kind() != Kind::peer_lost) throw;
+          why = e.what();  // a listener that ends: the next one may come
+        }
+      } else {
+        why = address.text() + ": " + why;
       }
-      why = address.text() + ": " + why;
     }
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   } while (!deadline.expired());

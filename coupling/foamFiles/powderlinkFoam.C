@@ -37,13 +37,15 @@ Tests
 namespace Foam
 {
 
-// What OpenFOAM says, in one line
+// What OpenFOAM says, in one line. It quotes what it finds, at the end of a
+// file that breaks off a NUL, which would end the caller's message too
 static std::string lineOf(const error& e)
 {
     std::string line;
     for (const char c : std::string(e.message()))
     {
-        const bool blank = c == ' ' || c == '\n' || c == '\t';
+        const unsigned char byte = c;
+        const bool blank = byte <= ' ' || byte == 127;
         if (!blank) line += c;
         else if (!line.empty() && line.back() != ' ') line += ' ';
     }

@@ -104,12 +104,12 @@ std::optional<std::size_t> end_of_block(const Bytes& bytes, std::size_t place,
   return first + static_cast<std::size_t>(doubles) * sizeof(double);
 }
 
-bool ends_with_blocks(const Bytes& bytes, int ranks, const std::optional<std::int64_t>& expected) {
+bool ends_with_blocks(const Bytes& bytes, int ranks, std::int64_t expected) {
   for (std::size_t begin = 0; begin < bytes.size(); ++begin) {
     std::int64_t atoms = 0;
     std::optional<std::size_t> place = begin;
     for (int rank = 0; rank < ranks && place; ++rank) place = end_of_block(bytes, *place, atoms);
-    if (place && *place == bytes.size() && atoms == expected.value_or(atoms)) return true;
+    if (place && *place == bytes.size() && atoms == expected) return true;
   }
   return false;
 }
@@ -129,7 +129,7 @@ std::string why_unreadable(const fs::path& file) {
 }
 
 std::string why_not_whole_single(const fs::path& file, const RestartHead& head) {
-  return ends_with_blocks(Bytes(file), *head.ranks, head.atoms)
+  return ends_with_blocks(Bytes(file), *head.ranks, *head.atoms)
              ? ""
              : file.string() + " breaks off: the atoms of its " + std::to_string(*head.ranks) +
                    " rank(s) are not all there";
@@ -145,7 +145,7 @@ std::string why_not_whole_ranks(const fs::path& pattern, const RestartHead& head
     const auto end = end_of_block(bytes, 0, atoms);
     if (!end || *end != bytes.size()) return file.string() + " breaks off";
   }
-  if (atoms == head.atoms.value_or(atoms)) return "";
+  if (atoms == *head.atoms) return "";
   return pattern.string() + " has " + std::to_string(atoms) + " atoms in the files of its ranks, " +
          std::to_string(*head.atoms) + " in its head";
 }
@@ -163,7 +163,8 @@ std::string why_not_whole_restart(const fs::path& file) {
   const std::string wrong = why_unreadable(with_head);
   if (!wrong.empty()) return with_head.string() + wrong;
   const RestartHead head = read_restart_head(with_head);
-  if (!head.step || !head.ranks || *head.ranks < 1 || *head.ranks > kMostRanks) {
+  // LIGGGHTS writes the number of atoms always; without it zeros of a cut head look like ranks without atoms.
+  if (!head.step || !head.atoms || !head.ranks || *head.ranks < 1 || *head.ranks > kMostRanks) {
     return with_head.string() + " is not a restart file of LIGGGHTS, or breaks off";
   }
   return single ? why_not_whole_single(file, head) : why_not_whole_ranks(file, head);

@@ -141,5 +141,25 @@ TEST(FlowAxis, ShortDuctHasDefaultsThatFit) {
   EXPECT_NEAR(*periodic.particles.velocity_mean_m_s(), 1.01, 1e-9);
 }
 
+/// Of a stream through a box of 0 to 1 m (dump_text()): lengths in mm, or beyond the ends, would thin it.
+TEST(FlowAxis, SlicesOfTheFlowLieInTheChannel) {
+  const TestFolder folder;
+  for (const long step : {0L, 1000L}) {
+    write_in(folder, fmt::format("post/particles_{}.dump", step), dump_text(step, stream_at(step)));
+  }
+  FlowOptions options;
+  options.time_step_s = kStreamTimeStep_s;
+  for (const Interval wrong : {Interval{240, 250}, Interval{0.9, 1.1}, Interval{-0.01, 0.2}}) {
+    options.flow_slice_m = wrong;
+    expect_refusal([&] { analyse_flow(folder.path(), options); },
+                   {"option --slice;", "0 to 1 m", "metres"});
+  }
+  options.flow_slice_m = Interval{0.1, 0.2};
+  EXPECT_NEAR(*analyse_flow(folder.path(), options).mean_flow_kg_s, kStreamFlow_kg_s,
+              1e-2 * kStreamFlow_kg_s);
+  options.slice_m = 1.5;
+  expect_refusal([&] { analyse_flow(folder.path(), options); }, {"--slice-thickness", "0 to 1 m"});
+}
+
 }  // namespace
 }  // namespace powderlink::analysis

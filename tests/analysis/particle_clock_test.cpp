@@ -36,6 +36,22 @@ TEST(ParticleClock, SubtractsWhatTheParticlesAreAhead) {
   }
 }
 
+/// A dump at the very time that a user gives counts, on whatever side of it round-off leaves the difference.
+TEST(ParticleClock, HasTheTimesThatUsersWrite) {
+  POWDERLINK_NEEDS_FOAM();
+  const TestFolder folder;
+  write_clock(folder, "0.02", "particlesAhead 0.003;");
+  ParticleClock clock(folder.path(), 1e-6);
+  for (long step = 3000; step <= 23000; step += 100) {
+    EXPECT_EQ(clock.gas_time_s(step), static_cast<double>(step - 3000) / 1e6) << step;
+  }
+  const TestFolder unsettled;
+  ParticleClock one(unsettled.path(), 1e-7);
+  for (long step = 0; step <= 200000; step += 1000) {
+    EXPECT_EQ(one.gas_time_s(step), static_cast<double>(step) / 1e7) << step;
+  }
+}
+
 TEST(ParticleClock, TheGasMayBeAheadToo) {
   POWDERLINK_NEEDS_FOAM();
   // Steady gas of 0.5 s, new particles.

@@ -124,6 +124,16 @@ TEST_P(Sockets, ASecondClientIsTurnedAwayAndTheFirstGoesOn) {
   EXPECT_TRUE(std::filesystem::is_empty(folder_.path()));
 }
 
+/// Loops of coupled runs: the next pass is there before the solver of the last one has gone.
+TEST_P(Sockets, AClientThatComesAsARunEndsGetsTheNextListener) {
+  auto [listening, connected] = pair();
+  auto early = std::async(std::launch::async, [this] { return connect_to_socket(client()); });
+  std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  listening->close();
+  const TransportPtr next = listen_on_socket(listener());
+  EXPECT_NO_THROW(early.get());
+}
+
 TEST_P(Sockets, AWrongTokenIsRefusedAndTheRightOneStillServed) {
   auto listening =
       std::async(std::launch::async, [this] { return listen_on_socket(listener(5.0, "right")); });

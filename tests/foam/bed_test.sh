@@ -111,7 +111,9 @@ case $test in
       Ubar (0 0 4.43164e-3); }'
     fixed='type vectorSemiImplicitSource; active yes; vectorSemiImplicitSourceCoeffs { selectionMode all;
       volumeMode specific; injectionRateSuSp { U ((0 0 147.4359) 0); } }'
-    ways=("A|$sup|1|mpi" "B|$sup|2|socket" "A|$mean|2|mpi" "A|$fixed|1|mpi")
+    # From rest to the same flow.
+    rising='type superficialVelocityForce; superficialVelocity table ((0 (0 0 0)) (0.01 (0 0 2e-3)) (1 (0 0 2e-3)));'
+    ways=("A|$sup|1|mpi" "B|$sup|2|socket" "A|$mean|2|mpi" "A|$fixed|1|mpi" "A|$rising|1|mpi")
     for n in "${!ways[@]}"; do
       IFS='|' read -r -d '' model source ranks transport <<<"${ways[n]}" || true
       new_case "way_$n"

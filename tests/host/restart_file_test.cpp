@@ -46,7 +46,10 @@ TEST(RestartFile, OnlyWholeFilesOfLiggghtsAreWhole) {
     EXPECT_EQ(read_restart_head(single).ranks, ranks);
 
     const std::string all = bytes_of(single);
-    for (std::size_t length = 0; length < all.size(); length += length + 64 < all.size() ? 61 : 1) {
+    // The head has many zeros, which look like ranks without atoms: every length of it, and of the end.
+    constexpr std::size_t head = 500;
+    for (std::size_t length = 0;
+         length<all.size(); length += length> head && length + 64 < all.size() ? 61 : 1) {
       write_bytes(single, all.substr(0, length));
       EXPECT_NE(why_not_whole_restart(single), "") << length << " of " << all.size();
     }

@@ -50,6 +50,24 @@ void Foam::fv::superficialVelocityForce::writeState() const
 }
 
 
+Foam::vector Foam::fv::superficialVelocityForce::directionAhead() const
+{
+    const Time& time = mesh_.time();
+    constexpr label looks = 1000;
+    const scalar step =
+        max(time.endTime().value() - time.value(), scalar(0))/looks;
+    for (label look = 0; look <= looks; ++look)
+    {
+        const vector w(velocity_->value(time.value() + look*step));
+        if (mag(w) > VSMALL)
+        {
+            return w/mag(w);
+        }
+    }
+    return Zero;
+}
+
+
 Foam::scalar Foam::fv::superficialVelocityForce::target()
 {
     const vector w(velocity_->value(mesh_.time().value()));
@@ -183,7 +201,7 @@ bool Foam::fv::superficialVelocityForce::read(const dictionary& dict)
     }
     const string velocities
     (
-        "a vector [m/s] that is not zero at the start, or a function of time"
+        "a vector [m/s] that is not zero, or a function of time"
     );
     if (!coeffs_.found("superficialVelocity"))
     {
@@ -197,11 +215,12 @@ bool Foam::fv::superficialVelocityForce::read(const dictionary& dict)
         );
     }
     velocity_ = Function1<vector>::New("superficialVelocity", coeffs_);
-    if (mag(velocity_->value(mesh_.time().value())) <= VSMALL)
+    direction_ = directionAhead();
+    if (direction_ == vector::zero)
     {
         dictionaryChecks::badValue
         (
-            coeffs_, "superficialVelocity", "zero", velocities
+            coeffs_, "superficialVelocity", "zero until endTime", velocities
         );
     }
     const string shares("above 0, at most 1");
