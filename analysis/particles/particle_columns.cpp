@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <boost/algorithm/string.hpp>
 #include <map>
 #include <regex>
@@ -99,8 +100,13 @@ ParticleColumns find_particle_columns(const CsvTable& table) {
   columns.feret = find({"feret"});
   columns.pixel_size = find({"pixel_size_um"});
   if (unit && *unit != kPixels) columns.unit_um = unit;
-  columns.imagej =
-      table.find_column("Area") && (table.find_column("Perim.") || table.find_column("Circ."));
+  // Units in the names are their users'.
+  const auto named = [&](const char* start) {
+    return std::any_of(table.columns.begin(), table.columns.end(), [&](const std::string& name) {
+      return boost::algorithm::starts_with(name, start);
+    });
+  };
+  columns.imagej = named("Area") && (named("Perim.") || named("Circ."));
   const auto area = find({"area"});
   if (!area || (!columns.perimeter && !columns.circularity)) {
     throw InvalidInput(header, "the columns " + boost::algorithm::join(table.columns, ", "),
