@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr double kSameSize = 1e-6;  // relative: the same pixel size, written with other digits
-constexpr std::size_t kLargestFooter = 10;  // rows below those of the grains
+constexpr std::size_t kLargestFooter = 4;  // rows below those of the grains
 
 constexpr CsvFormat kFormat{
     "table of grains", "check the path", "save the results in ImageJ with column headers",
@@ -110,7 +110,10 @@ void drop_footer(CsvTable& table, ParticleSet& set) {
   const auto end = std::find_if_not(table.rows.begin(), table.rows.end(), numbered);
   if (end == table.rows.begin() || std::any_of(end, table.rows.end(), numbered)) return;
   const auto left_out = static_cast<std::size_t>(table.rows.end() - end);
-  if (left_out == 0 || left_out > kLargestFooter) return;
+  const bool named = std::any_of(end, table.rows.end(), [&](const CsvTable::Row& row) {
+    return row.cells[*names].find_first_of("0123456789") != std::string::npos;
+  });
+  if (left_out == 0 || left_out > kLargestFooter || named) return;
   set.notes.push_back(
       fmt::format("{}, line {}: '{}' below rows with a number is no grain; {} of {} rows left out",
                   table.file, end->line, end->cells[*names], left_out, table.rows.size()));

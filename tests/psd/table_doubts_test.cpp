@@ -145,7 +145,8 @@ TEST(TableDoubts, SumsBelowTheGrainsAreNone) {
   const ParticleSet set = read(grains + "Sum,4255,401.8\n,1418.3,133.9\n");
   EXPECT_EQ(set.particles.size(), 3U);
   EXPECT_TRUE(any_note(set, "line 5: 'Sum'"));
-  // Rows without numbers, or with names in all of them, are grains.
+  // Names in all rows, and names with numbers, are those of grains.
+  EXPECT_EQ(read(grains + "extra 4,1418,133.9\n").particles.size(), 4U);
   EXPECT_EQ(read(" ,Area,Perim.\n1,1385,132.5\na,1420,134.1\n3,1450,135.2\n").particles.size(), 3U);
   EXPECT_EQ(read(" ,Area,Perim.\na,1385,132.5\nb,1420,134.1\n").particles.size(), 2U);
 }
