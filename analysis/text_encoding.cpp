@@ -62,7 +62,7 @@ std::optional<std::string> converted(std::string_view bytes, const std::string& 
     void operator()(void* handle) const { ::iconv_close(handle); }
   };
   const iconv_t opened = ::iconv_open("UTF-8", from.c_str());
-  if (opened == reinterpret_cast<iconv_t>(-1)) {
+  if (reinterpret_cast<std::intptr_t>(opened) == -1) {
     bad = 0;
     return std::nullopt;
   }
@@ -84,7 +84,8 @@ const char* utf16_without_mark(std::string_view bytes) {
   constexpr double most = 0.9;
   std::array<std::size_t, 2> zeros{};
   for (std::size_t i = 0; i < bytes.size(); ++i) zeros[i % 2] += bytes[i] == '\0' ? 1 : 0;
-  const auto enough = static_cast<std::size_t>(most * static_cast<double>(bytes.size() / 2));
+  const std::size_t pairs = bytes.size() / 2;
+  const auto enough = static_cast<std::size_t>(most * static_cast<double>(pairs));
   if (bytes.size() < 4 || bytes.size() % 2 != 0) return nullptr;
   if (zeros[0] == 0 && zeros[1] >= enough) return "UTF-16LE";
   if (zeros[1] == 0 && zeros[0] >= enough) return "UTF-16BE";

@@ -122,6 +122,7 @@ void drop_footer(CsvTable& table, ParticleSet& set) {
 
 double median_diameter(const std::vector<Particle>& particles) {
   std::vector<double> d;
+  d.reserve(particles.size());
   for (const Particle& p : particles) d.push_back(p.area_diameter_um());
   const auto middle = d.begin() + static_cast<long>(d.size() / 2);
   std::nth_element(d.begin(), middle, d.end());
