@@ -94,6 +94,25 @@ std::string unit_question(std::vector<double> values, const UsualRange& usual) {
       small ? usual.larger_unit : usual.smaller_unit, usual.unit, factor * middle, middle);
 }
 
+std::string mixed_unit_question(std::vector<double> values, const UsualRange& usual) {
+  constexpr double thousand = 1e3;
+  constexpr double gap = 50.0;   // between the two units
+  constexpr double among = 2.0;  // a value may lie so far beyond the others
+  if (values.size() < 2) return "";
+  std::sort(values.begin(), values.end());
+  const auto wider = [](double a, double b) { return b / a > gap; };
+  const auto below = std::adjacent_find(values.begin(), values.end(), wider);
+  if (below == values.end()) return "";
+  const double low = values.front(), small = *below, large = *(below + 1), high = values.back();
+  if (thousand * low * among < large || thousand * small > among * high) return "";
+  const bool small_wrong = small < usual.low || high <= usual.high;
+  return fmt::format(
+      "values from {:g} to {:g} beside {:g} to {:g} {}: were {} given in some rows where {} are "
+      "meant? then write {:g} for {:g}",
+      low, small, large, high, usual.unit, small_wrong ? usual.larger_unit : usual.smaller_unit,
+      usual.unit, small_wrong ? thousand * small : large / thousand, small_wrong ? small : large);
+}
+
 std::string adhesive_energy_warning(double adhesive_energy_J_m2, const std::string& where) {
   if (!(adhesive_energy_J_m2 > kDrySolids_J_m2)) return "";
   return fmt::format(

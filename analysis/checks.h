@@ -31,6 +31,10 @@ inline constexpr UsualRange kUsualContactTime{1.0, 1e4, "us", "ms", "ns"};
 /// outside the range on one side, and a factor of 1000 would bring their middle into it.
 std::string unit_question(std::vector<double> values, const UsualRange& usual);
 
+/// The same where some of the values lie a thousand away from all others, and among them by a factor of
+/// 1000: rows of a table in two units.
+std::string mixed_unit_question(std::vector<double> values, const UsualRange& usual);
+
 /// Text for stderr when Gamma is above what dry solids reach, else empty.
 std::string adhesive_energy_warning(double adhesive_energy_J_m2, const std::string& where);
 

@@ -193,7 +193,10 @@ class TableReader {
       if (std::find(names.begin(), name, *name) == name) continue;
       throw InvalidInput(fmt::format("{}, line {}, header", table_.file, header_line_),
                          "column '" + *name + "' twice", "every column once",
-                         "rename or remove one of them");
+                         name->empty()
+                             ? "is a title above the names of the columns? begin its line "
+                               "with '#'; else name every column"
+                             : "rename or remove one of them");
     }
   }
 
@@ -223,7 +226,7 @@ void CsvTable::find_decimal_marks(char separator) {
   marks_.assign(columns.size(), {});
   constexpr auto none = static_cast<std::size_t>(-1);
   struct Evidence {
-    std::size_t point = none, comma = none, open = none;
+    std::size_t point = none, comma = none, open = none, open_point = none;
   };
   std::vector<Evidence> found(columns.size());
   bool any_point = false, any_comma = false;
@@ -236,6 +239,8 @@ void CsvTable::find_decimal_marks(char separator) {
       if (!form.number) continue;
       std::size_t& first = form.grouped ? e.open : form.as_point ? e.point : e.comma;
       if (first == none) first = r;
+      if (form.grouped && e.open_point == none && cell.find('.') != std::string::npos)
+        e.open_point = r;
     }
     any_point = any_point || e.point != none;
     any_comma = any_comma || e.comma != none;
@@ -250,8 +255,8 @@ void CsvTable::find_decimal_marks(char separator) {
     } else if (any_point != any_comma) {
       m.mark = any_point ? DecimalMark::point : DecimalMark::comma;
       // Points that group beside commas in quotes: seldom enough to ask.
-      if (any_comma && e.open != none && separator == ',')
-        m = {DecimalMark::comma, ColumnMark::Doubt::open, e.open, e.open};
+      if (any_comma && e.open_point != none && separator == ',')
+        m = {DecimalMark::comma, ColumnMark::Doubt::open, e.open_point, e.open_point};
     } else if (e.open != none && rows[e.open].cells[c].find(',') != std::string::npos) {
       // Semicolons separate cells where the comma is the decimal mark.
       m.mark = DecimalMark::comma;

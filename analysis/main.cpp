@@ -35,6 +35,16 @@ int run(int argc, char** argv) {
   analysis::add_psd_command(app);
   analysis::add_report_command(app);
   analysis::add_restart_command(app);
+  // Names and numbers of users may hold anything.
+  app.failure_message([](const CLI::App*, const CLI::Error& e) {
+    const bool number = e.get_name() == "ConversionError";
+    return analysis::for_terminal(
+        std::string("powderlink: command line; given: ") + e.what() +
+        "; allowed: what --help tells; to do: " +
+        (number ? "write numbers without a unit, whole or with a decimal point as the option asks"
+                : "correct the line") +
+        "\n");
+  });
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {

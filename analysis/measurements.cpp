@@ -154,8 +154,12 @@ void require_columns(const CsvTable& table, const std::vector<Column>& columns) 
   if (missing.empty()) return;
   std::string given = fmt::format("columns {}", fmt::join(table.columns, ", "));
   std::string to_do = "add the column or rename the one that holds it";
-  for (const Column& c : columns)
-    if (c.needed && !table.find_column(c.name)) given += same_in_other_unit(table, c.name);
+  for (const Column& c : columns) {
+    if (!c.needed || table.find_column(c.name)) continue;
+    const std::string other = same_in_other_unit(table, c.name);
+    if (!other.empty()) to_do = "give the values in the unit of the needed name, under that name";
+    given += other;
+  }
   if (table.columns.size() == 1) to_do = "separate the cells by commas, semicolons or tabs";
   throw InvalidInput(fmt::format("{}: column{} {}", table.file, missing.size() == 1 ? "" : "s",
                                  fmt::join(missing, ", ")),
@@ -172,7 +176,8 @@ void doubt_units(Measurements& m) {
     std::vector<double> values;
     for (const KatRow& row : m.rows)
       if (const std::optional<double> x = value(row)) values.push_back(*x);
-    const std::string question = unit_question(values, usual);
+    std::string question = unit_question(values, usual);
+    if (question.empty()) question = mixed_unit_question(values, usual);
     if (!question.empty())
       m.notes.push_back(fmt::format("{}, column '{}': {}", m.table.file, column, question));
   };

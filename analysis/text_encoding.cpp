@@ -62,7 +62,7 @@ std::optional<std::string> converted(std::string_view bytes, const std::string& 
     void operator()(void* handle) const { ::iconv_close(handle); }
   };
   const iconv_t opened = ::iconv_open("UTF-8", from.c_str());
-  if (opened == reinterpret_cast<iconv_t>(-1)) {
+  if (reinterpret_cast<std::intptr_t>(opened) == -1) {
     bad = 0;
     return std::nullopt;
   }
@@ -84,22 +84,28 @@ const char* utf16_without_mark(std::string_view bytes) {
   constexpr double most = 0.9;
   std::array<std::size_t, 2> zeros{};
   for (std::size_t i = 0; i < bytes.size(); ++i) zeros[i % 2] += bytes[i] == '\0' ? 1 : 0;
-  const auto enough = static_cast<std::size_t>(most * static_cast<double>(bytes.size() / 2));
+  const std::size_t pairs = bytes.size() / 2;
+  const auto enough = static_cast<std::size_t>(most * static_cast<double>(pairs));
   if (bytes.size() < 4 || bytes.size() % 2 != 0) return nullptr;
   if (zeros[0] == 0 && zeros[1] >= enough) return "UTF-16LE";
   if (zeros[1] == 0 && zeros[0] >= enough) return "UTF-16BE";
   return nullptr;
 }
 
-/// Whether a text that is not UTF-8 throughout is so in places, beyond ASCII.
-bool is_utf8_in_places(std::string_view bytes) {
-  for (auto at = bytes.begin(); at != bytes.end();) {
+/// Windows-1252, with UTF-8 where that is in places, and U+FFFD for bytes that are neither: labels of
+/// other countries (GBK, Shift JIS, Windows-1251) do not keep the numbers beside them from being read.
+std::string western(std::string_view bytes) {
+  std::string text;
+  for (auto at = bytes.begin(); at != bytes.end(); ++at) {
     const auto bad = utf8::find_invalid(at, bytes.end());
-    if (std::any_of(at, bad, [](char c) { return static_cast<unsigned char>(c) >= 0x80; }))
-      return true;
-    at = bad == bytes.end() ? bad : bad + 1;
+    text.append(at, bad);
+    at = bad;
+    if (at == bytes.end()) break;
+    std::size_t place = 0;
+    const auto letter = converted(std::string_view(&*at, 1), "CP1252", place);
+    text += letter ? *letter : "\uFFFD";
   }
-  return false;
+  return text;
 }
 
 void unify_ends_of_lines(std::string& text) {
@@ -119,13 +125,13 @@ void unify_ends_of_lines(std::string& text) {
 
 Text decoded_as(std::string_view bytes, const std::string& encoding, const std::string& file) {
   std::size_t bad = 0;
-  auto text = converted(bytes, encoding == "Windows-1252" ? "CP1252" : encoding, bad);
+  auto text = converted(bytes, encoding, bad);
   if (text) return {std::move(*text), encoding};
   throw InvalidInput(
       fmt::format("{}, line {}: encoding", file, line_of(bytes, bad)),
       fmt::format("a byte 0x{:02X} that {} does not have",
                   static_cast<unsigned char>(bytes[std::min(bad, bytes.size() - 1)]), encoding),
-      "text in UTF-8, UTF-16 or Windows-1252 (Latin-1)", kToDo);
+      "text in one encoding, UTF-8 at best", kToDo);
 }
 
 }  // namespace
@@ -147,17 +153,10 @@ Text decoded(const std::string& bytes, const std::filesystem::path& path) {
   if (text.encoding.empty()) {
     if (const char* wide = utf16_without_mark(all)) {
       text = decoded_as(all, wide, file);
-    } else if (const auto bad = utf8::find_invalid(bytes.begin(), bytes.end());
-               bad == bytes.end()) {
+    } else if (utf8::is_valid(bytes.begin(), bytes.end())) {
       text = {bytes, "UTF-8"};
-    } else if (is_utf8_in_places(all)) {
-      const auto place = static_cast<std::size_t>(bad - bytes.begin());
-      throw InvalidInput(fmt::format("{}, line {}: encoding", file, line_of(all, place)),
-                         fmt::format("a byte 0x{:02X} in a text that is UTF-8 elsewhere",
-                                     static_cast<unsigned char>(*bad)),
-                         "one encoding in one file", kToDo);
     } else {
-      text = decoded_as(all, "Windows-1252", file);
+      text = {western(all), "Windows-1252"};
     }
   }
   if (const std::size_t nul = text.utf8.find('\0'); nul != std::string::npos) {

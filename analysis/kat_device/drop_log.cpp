@@ -122,8 +122,10 @@ DropLog read_drop_log(const std::filesystem::path& file, bool skip_damaged) {
   }
   DropLog log(file.string(), skip_damaged);
   for (std::string line; std::getline(in, line);) {
+    static const std::string wide("K\0A\0T", 5);  // with a mark or without
     if (log.empty() &&
-        (line.compare(0, 2, "\xFF\xFE") == 0 || line.compare(0, 2, "\xFE\xFF") == 0)) {
+        (line.compare(0, 2, "\xFF\xFE") == 0 || line.compare(0, 2, "\xFE\xFF") == 0 ||
+         line.find(wide) != std::string::npos)) {
       throw InvalidInput("log of the KAT device", file.string() + ", in UTF-16",
                          "plain text, ASCII or UTF-8",
                          "save it as UTF-8; PowerShell writes UTF-16 with >");

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <boost/algorithm/string.hpp>
 #include <map>
 #include <regex>
@@ -21,17 +22,19 @@ struct Name {
   std::optional<double> unit_um;  ///< kPixels; empty: not stated
 };
 
+std::string if_encoding_is_wrong(const CsvTable& table) {
+  if (table.encoding.compare(0, 3, "UTF") == 0) return "";
+  return "; its text was taken for " + table.encoding + ": save it as UTF-8 if that is wrong";
+}
+
 double unit_named(const CsvTable& table, const std::string& text, const std::string& place) {
   static const std::map<std::string, double> units = {
       {"nm", 1e-3}, {"um", 1.0}, {"mm", 1e3}, {"cm", 1e4}, {"pixel", kPixels}};
   std::string unit = plain_unit(text);
   if (!unit.empty() && unit.back() == '2') unit.pop_back();
   if (const auto found = units.find(unit); found != units.end()) return found->second;
-  const bool certain = table.encoding.compare(0, 3, "UTF") == 0;
   throw InvalidInput(place, "the unit '" + text + "'", "um, mm, cm, nm or pixel",
-                     certain ? "give the table in um or in pixels"
-                             : "give the table in um or in pixels; its text was taken for " +
-                                   table.encoding + ": save it as UTF-8 if that is wrong");
+                     "give the table in um or in pixels" + if_encoding_is_wrong(table));
 }
 
 /// "Perim." -> perim; "area_um2", "Area (µm²)" -> area in um.
@@ -97,15 +100,20 @@ ParticleColumns find_particle_columns(const CsvTable& table) {
   columns.feret = find({"feret"});
   columns.pixel_size = find({"pixel_size_um"});
   if (unit && *unit != kPixels) columns.unit_um = unit;
-  columns.imagej =
-      table.find_column("Area") && (table.find_column("Perim.") || table.find_column("Circ."));
+  // Units in the names are their users'.
+  const auto named = [&](const char* start) {
+    return std::any_of(table.columns.begin(), table.columns.end(), [&](const std::string& name) {
+      return boost::algorithm::starts_with(name, start);
+    });
+  };
+  columns.imagej = named("Area") && (named("Perim.") || named("Circ."));
   const auto area = find({"area"});
   if (!area || (!columns.perimeter && !columns.circularity)) {
     throw InvalidInput(header, "the columns " + boost::algorithm::join(table.columns, ", "),
                        "'Area' and 'Perim.' or 'Circ.' (also read: AR or Round, Feret)",
                        "in ImageJ tick Area, Perimeter and Shape descriptors in Analyze > Set "
-                       "Measurements, measure "
-                       "again and save with column headers");
+                       "Measurements, measure again and save with column headers" +
+                           if_encoding_is_wrong(table));
   }
   columns.area = *area;
   return columns;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <boost/algorithm/string/predicate.hpp>
 
+#include "analysis/csv_number.h"
 #include "analysis/particles/imagej_perimeter.h"
 #include "analysis/particles/particle_columns.h"
 #include "analysis/particles/table_doubts.h"
@@ -19,6 +20,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr double kSameSize = 1e-6;  // relative: the same pixel size, written with other digits
+constexpr std::size_t kLargestFooter = 4;  // rows below those of the grains
 
 constexpr CsvFormat kFormat{
     "table of grains", "check the path", "save the results in ImageJ with column headers",
@@ -28,7 +30,7 @@ constexpr CsvFormat kFormat{
 std::string how_to_scale() {
   return "give --pixel-size-um X, the side of a pixel; 1 when the image had its scale in um and "
          "the "
-         "table is thus in um";
+         "table is thus in um, 1000 when in mm";
 }
 
 /// The scale of one row; `known` is what was given or stated before.
@@ -98,6 +100,67 @@ void drop_summary(CsvTable& table, ParticleSet& set) {
                   all - table.rows.size()));
 }
 
+/// Takes out what users of spreadsheets append: "Sum" or "Average" where the rows above have numbers.
+void drop_footer(CsvTable& table, ParticleSet& set) {
+  const std::optional<std::size_t> names = table.find_column("");
+  if (!names) return;
+  const auto numbered = [&](const CsvTable::Row& row) {
+    return number_form(row.cells[*names]).number;
+  };
+  const auto end = std::find_if_not(table.rows.begin(), table.rows.end(), numbered);
+  if (end == table.rows.begin() || std::any_of(end, table.rows.end(), numbered)) return;
+  const auto left_out = static_cast<std::size_t>(table.rows.end() - end);
+  const bool named = std::any_of(end, table.rows.end(), [&](const CsvTable::Row& row) {
+    return row.cells[*names].find_first_of("0123456789") != std::string::npos;
+  });
+  if (left_out == 0 || left_out > kLargestFooter || named) return;
+  set.notes.push_back(
+      fmt::format("{}, line {}: '{}' below rows with a number is no grain; {} of {} rows left out",
+                  table.file, end->line, end->cells[*names], left_out, table.rows.size()));
+  table.rows.erase(end, table.rows.end());
+}
+
+double median_diameter(const std::vector<Particle>& particles) {
+  std::vector<double> d;
+  d.reserve(particles.size());
+  for (const Particle& p : particles) d.push_back(p.area_diameter_um());
+  const auto middle = d.begin() + static_cast<long>(d.size() / 2);
+  std::nth_element(d.begin(), middle, d.end());
+  return *middle;
+}
+
+/// ImageJ writes no unit: a table without one whose grains are smaller than a pixel is in mm or um.
+void check_scale(const std::string& file, const std::optional<double>& scale,
+                 const std::vector<Particle>& particles, ParticleSet& set) {
+  constexpr double um = 1.0, mm = 1000.0;
+  constexpr double seen_um = 0.2;  // less than light resolves
+  const double middle = median_diameter(particles);
+  const std::string would = fmt::format(
+      "give --pixel-size-um 1000 when the image had its scale in mm, which makes them {:.3g} um",
+      mm * middle);
+  if (!scale) {
+    throw InvalidInput(file + ", pixel size",
+                       middle < 1.0
+                           ? fmt::format("no scale, and grains of {:.3g} in the middle: less "
+                                         "than a pixel",
+                                         middle)
+                           : "a table in pixels without a scale",
+                       "a side of the pixel in um, as option, comment or column",
+                       middle < 1.0 ? would + "; 1 when in um" : how_to_scale());
+  }
+  if (middle >= 1.0 || *scale == mm) return;
+  if (*scale != um) {
+    throw InvalidInput(
+        file + ", pixel size",
+        fmt::format("{:g} um, and grains of {:.3g} pixels in the middle", *scale, middle),
+        "grains of a pixel or more", would + "; 1 when in um");
+  }
+  if (middle < seen_um) {
+    set.notes.push_back(
+        fmt::format("{}: half of the grains are below {:.2g} um: {}", file, middle, would));
+  }
+}
+
 bool all_whole(const std::vector<Particle>& particles) {
   return std::all_of(particles.begin(), particles.end(),
                      [](const Particle& p) { return p.area_um2 == std::floor(p.area_um2); });
@@ -110,11 +173,7 @@ std::optional<double> pixel_of(const ParticleColumns& columns, std::optional<dou
   if (scale == 1.0 && !all_whole(particles)) return std::nullopt;
   if (columns.unit_um) return scale ? std::optional(*scale / *columns.unit_um) : std::nullopt;
   if (all_whole(particles)) return 1.0;
-  std::vector<double> d;
-  for (const Particle& p : particles) d.push_back(p.area_diameter_um());
-  const auto middle = d.begin() + static_cast<long>(d.size() / 2);
-  std::nth_element(d.begin(), middle, d.end());
-  return *middle < least_px ? std::nullopt : std::optional(1.0);
+  return median_diameter(particles) < least_px ? std::nullopt : std::optional(1.0);
 }
 
 /// Whether perimeters may be those that ImageJ traces along the pixels: never whole numbers, as at least
@@ -156,10 +215,11 @@ void correct_perimeters(const RawTable& raw, std::vector<Particle>& particles, P
     notes.push_back(std::move(note));
 }
 
-void judge_table(const RawTable& raw, double scale, ParticleSet& set) {
-  // Digits first: too few of them make shapes that cannot be.
+void judge_table(const RawTable& raw, const std::optional<double>& scale, ParticleSet& set) {
+  // Digits first: too few of them make shapes that cannot be, and no scale mends them.
   const double step = raw.unit_um * raw.unit_um * check_digits(raw, set.notes);
   set.area_step_um2 = std::max(set.area_step_um2, step);
+  if (!raw.columns.unit_um) check_scale(raw.table.file, scale, raw.particles, set);
   for (std::string& note : check_shapes(raw)) set.notes.push_back(std::move(note));
   if (!raw.columns.perimeter)
     set.notes.push_back(raw.table.file + ": no Perim.; perimeters are taken from Circ.");
@@ -168,7 +228,7 @@ void judge_table(const RawTable& raw, double scale, ParticleSet& set) {
     set.notes.push_back(fmt::format(
         "{}: areas are not whole numbers of pixels; if the table is in um already, give "
         "--pixel-size-um 1 (now {:g})",
-        raw.table.file, scale));
+        raw.table.file, *scale));
   }
 }
 
@@ -177,6 +237,7 @@ std::optional<double> read_table(const fs::path& file, const std::optional<doubl
                                  ParticleSet& set) {
   CsvTable table = read_csv(file, kFormat);
   drop_summary(table, set);
+  drop_footer(table, set);
   const ParticleColumns columns = find_particle_columns(table);
   std::optional<double> scale = given;
   if (const auto stated = stated_pixel_size_um(table))
@@ -187,14 +248,10 @@ std::optional<double> read_table(const fs::path& file, const std::optional<doubl
     if (columns.pixel_size)
       agree(scale, table.number(row, *columns.pixel_size), table.place(row, *columns.pixel_size));
   }
-  if (!columns.unit_um && !scale) {
-    throw InvalidInput(table.file + ", pixel size", "a table in pixels without a scale",
-                       "a side of the pixel in um, as option, comment or column", how_to_scale());
-  }
   if (scale) agree(set.pixel_size_um, *scale, table.file + ", pixel size");
-  const double factor = columns.unit_um ? *columns.unit_um : *scale;
+  const double factor = columns.unit_um ? *columns.unit_um : scale.value_or(1.0);
   const RawTable raw{table, columns, particles, pixel_of(columns, scale, particles), factor};
-  judge_table(raw, factor, set);
+  judge_table(raw, scale, set);
   correct_perimeters(raw, particles, set);
   for (Particle& p : particles) {
     p.file = set.files.size();

@@ -18,6 +18,8 @@ namespace powderlink::analysis {
 namespace {
 
 constexpr int kFewestSizes = 10;
+constexpr double kLeastKnown =
+    0.12;  // variance of ln x0 and ln n; more where few grains have the mass
 constexpr double kFarthest = 10.0;  // x0 over the largest grain
 constexpr double kMiss = 0.03, kChance = 0.01;
 constexpr double kBeside = 0.01;                       // of d: diameters that nothing tells apart
@@ -227,8 +229,8 @@ std::optional<RosinRammlerFit> fit_rosin_rammler(const SizeDistribution& sample,
   const Eigen::Matrix2d c = covariance(likelihood, {p[0], p[1]});
   const bool known = summary.IsSolutionUsable() && fit.law.n > kLeast_n && fit.law.n < kLargest_n &&
                      fit.law.x0_um < kFarthest * sample.diameters_um().back() &&
-                     std::isfinite(c.trace()) && c(0, 0) >= 0.0 && c(0, 0) < 1.0 &&
-                     c(1, 1) >= 0.0 && c(1, 1) < 1.0;
+                     std::isfinite(c.trace()) && c(0, 0) >= 0.0 && c(0, 0) < kLeastKnown &&
+                     c(1, 1) >= 0.0 && c(1, 1) < kLeastKnown;
   if (!known) return {};
   fit.x0_sigma_um = fit.law.x0_um * std::sqrt(c(0, 0));
   fit.n_sigma = fit.law.n * std::sqrt(c(1, 1));

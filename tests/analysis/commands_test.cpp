@@ -35,8 +35,16 @@ TEST(Commands, UsageErrorsAreStatus2) {
         std::string("kat run"), std::string("effects --yaml")}) {
     const CommandResult r = powderlink(line);
     EXPECT_EQ(r.status, 2) << line;
-    EXPECT_FALSE(r.err.empty()) << line;
+    for (const char* part : {"command line", "given: ", "allowed: ", "to do: "})
+      EXPECT_NE(r.err.find(part), std::string::npos) << line << r.err;
   }
+}
+
+TEST(Commands, DecimalCommasOnTheLineAreNamed) {
+  const CommandResult r = powderlink(kDrop + "--diameter 46,0");
+  EXPECT_EQ(r.status, 2);
+  EXPECT_NE(r.err.find("46,0"), std::string::npos) << r.err;
+  EXPECT_NE(r.err.find("decimal point"), std::string::npos) << r.err;
 }
 
 TEST(Commands, TheoryPrintsAndStores) {

@@ -41,6 +41,7 @@ TEST(CsvTable, FormsOfOneTable) {
            "v d\n 1.8   66.4\n2.25 1063.85 \n",               // columns of blanks
            "v,d\n1.8,66.4\n2.25,\"1,063.85\"\n",              // grouped in quotes
            "v,d\n\"1,8\",\"66,4\"\n\"2,25\",\"1 063,85\"\n",  // German, commas between
+           "v,d\n1.8,66.4\n2.25,1063.85\n,\n,\n",             // empty rows below
            "v;d\n1.8;66.4\n2.25;1'063.85\n",                  // Swiss
            "v;d\n1,8;66,4\n2,25;1\u00A0063,85\n",             // French: a no-break space
            "v;d\n1,8;66,4\n2,25;1\u202F063,85\n",
@@ -100,6 +101,11 @@ TEST(CsvTable, WhatIsOpenIsRefusedWithTheCure) {
         },
         fragments);
   };
+  // Commas in quotes are decimal where any of them is; points beside them would part thousands.
+  const CsvTable quoted = read("a,b\n\"165,210\",\"0,919\"\n\"1,399\",\"0,9\"\n");
+  EXPECT_EQ(quoted.number(quoted.rows[0], 0), 165.21);
+  EXPECT_EQ(quoted.number(quoted.rows[1], 0), 1.399);
+  refused("a,b\n1.399,\"0,919\"\n", {"line 2, column 'a'", "'1.399'", "one meaning"});
   refused("a\tb\n1,399\t1\n", {"line 2, column 'a'", "'1,399'", "one meaning"});
   refused("a;b\n1,8;1\n2;1\n1.75;1\n", {"lines 4 and 2, column 'a'", "'1.75' and '1,8'"});
   refused("a;b\nx;1\n2;1\n-;1\n;1\n", {"line 2, column 'a'", "'x'", "lines 4, 5"});
@@ -117,7 +123,7 @@ TEST(CsvTable, LinesThatDoNotFitAreNamedAtOnce) {
   refused("1.8,66.4\n2.3,60\n", {"line 1, header", "numbers", "names of the columns"});
   refused("v,d\nm/s,um\n", {"a header without rows"});
   refused("v,d\n1,\"2\n3,4\n", {"line 2", "close the quotes"});
-  refused("v,,\n1,2,3\n", {"column '' twice"});
+  refused("v,,\n1,2,3\n", {"column '' twice", "title above"});
 }
 
 TEST(CsvUnits, SpellingsOfOneUnit) {

@@ -232,6 +232,8 @@ TEST(KatDevice, AReportIsKnownByItsFieldsWhereverItStands) {
   for (const char c : good) wide += std::string(1, c) + '\0';
   folder.write("wide.log", wide);
   expect_four_parts(powderlink("kat device " + at + "wide.log"), "UTF-16");
+  folder.write("unmarked.log", wide.substr(2));
+  expect_four_parts(powderlink("kat device " + at + "unmarked.log"), "UTF-16");
 }
 
 TEST(KatDevice, DropsOverASerialPort) {

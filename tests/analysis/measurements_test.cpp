@@ -100,7 +100,7 @@ TEST(Measurements, NamesAndUnitsInOtherForms) {
     EXPECT_TRUE(m.notes.empty());
   }
   refused("impact_velocity_m_s,Critical diameter [mm]\n1,2\n",
-          {"'critical_diameter_um'", "is in mm, not um"});
+          {"'critical_diameter_um'", "is in mm, not um", "give the values in the unit"});
   refused("impact_velocity_m_s,critical diameter\n1,2\n", {"has no unit"});
   refused("impact_velocity_m_s,critical_diameter_um\nm/s,mm\n1,2\n",
           {"row of units, column 'critical_diameter_um'", "mm", "um"});
@@ -125,6 +125,14 @@ TEST(Measurements, UnitsThatAreAThousandOffAreAskedFor) {
                 .find("were mm given"),
             std::string::npos);
   refused(kHeader + "1.8,0.0066\n", {"millimetres", "write 6.6"});
+  // Rows of one table in two units.
+  const std::string some = note(kHeader + "1.8,0.0664\n2.3,0.0638\n3,59.8\n4.1,53\n");
+  for (const char* part : {"critical_diameter_um", "were mm given in some rows", "66.4 for 0.0664"})
+    EXPECT_NE(some.find(part), std::string::npos) << some;
+  EXPECT_NE(note(kHeader + "0.25,66.4\n230,63.8\n300,59.8\n").find("mm/s given in some rows"),
+            std::string::npos);
+  EXPECT_EQ(note(kHeader + "0.05,900\n9,4\n"), "");     // far apart, but not by a thousand
+  EXPECT_EQ(note(kHeader + "1,0.5\n2,5\n3,50\n"), "");  // no gap
 }
 
 TEST(Checks, LargeAdhesiveEnergyWarnsAboutTheConvention) {

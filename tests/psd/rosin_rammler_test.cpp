@@ -161,6 +161,12 @@ TEST(RosinRammler, NoLawFromGrainsThatDecideNone) {
   two.insert(two.end(), 30, 60.0);
   EXPECT_FALSE(fit(two));
   EXPECT_TRUE(fit(ideal({60, 3}, 50)));
+  // Of 3000 grains of a Pareto law a handful has the mass.
+  std::vector<double> dust;
+  for (int i = 0; i < 3000; ++i) dust.push_back(5.0 * std::pow(1.0 - (i + 0.5) / 3000, -0.4));
+  dust.insert(dust.end(), {210, 277});
+  const SizeDistribution by_mass(dust, Weighting::mass);
+  EXPECT_FALSE(fit_rosin_rammler(by_mass).has_value());
 }
 
 }  // namespace

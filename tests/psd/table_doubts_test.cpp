@@ -102,6 +102,8 @@ TEST(TableDoubts, DigitsBoundWhatIsKnown) {
   const std::vector<double> powder(60, 92.0);  // 46 um, 0.5 um per pixel
   const std::string cure = "Analyze > Set Measurements";
   refused(imagej_table(powder, 1, 0.5e-3), {"column 'Area'", "0.001", cure, "um"}, 1000.0);
+  refused(imagej_table(powder, 1, 0.5e-3), {"column 'Area'", "0.001", cure, "um"}, std::nullopt);
+  refused(imagej_table(powder, 1, 0.5e-3), {"column 'Area'", "0.001", cure, "um"}, 0.5);
   refused("Area,Perim.\n0.000,0.047\n0.001,0.082\n", {"line 2, column 'Area'", cure}, 1000.0);
   // Smaller grains have powers of ten beside them, and are known well: 5.320E-4 and 0.002.
   std::vector<double> mixed(30, 50.0);
@@ -125,6 +127,30 @@ TEST(TableDoubts, DigitsBoundWhatIsKnown) {
 }
 
 /// Outlines of noise: combs of one pixel between grains of 18 pixels.
+/// ImageJ's names have no unit: a table in mm says nothing, and its grains are smaller than a pixel.
+TEST(TableDoubts, TablesInMillimetresAreAskedFor) {
+  const std::vector<double> powder(20, 92.0);  // 46 um, 0.5 um per pixel
+  const std::string text = imagej_table(powder, 1, 0.5e-3, 6), cure = "--pixel-size-um 1000";
+  refused(text, {"pixel size", "less than a pixel", cure, "46"}, std::nullopt);
+  refused(text, {"pixel size", "0.5 um", cure, "46"}, 0.5);
+  EXPECT_TRUE(any_note(read(text, 1.0), cure));
+  EXPECT_FALSE(any_note(read(text, 1000.0), cure));
+  EXPECT_NEAR(read(text, 1000.0).particles[0].area_diameter_um(), 46.0, 0.2);
+  // Powders below 1 um under an electron microscope, in um.
+  EXPECT_FALSE(any_note(read(imagej_table(powder, 1, 0.005, 4), 1.0), cure));
+}
+
+TEST(TableDoubts, SumsBelowTheGrainsAreNone) {
+  const std::string grains = " ,Area,Perim.\n1,1385,132.5\n2,1420,134.1\n3,1450,135.2\n";
+  const ParticleSet set = read(grains + "Sum,4255,401.8\n,1418.3,133.9\n");
+  EXPECT_EQ(set.particles.size(), 3U);
+  EXPECT_TRUE(any_note(set, "line 5: 'Sum'"));
+  // Names in all rows, and names with numbers, are those of grains.
+  EXPECT_EQ(read(grains + "extra 4,1418,133.9\n").particles.size(), 4U);
+  EXPECT_EQ(read(" ,Area,Perim.\n1,1385,132.5\na,1420,134.1\n3,1450,135.2\n").particles.size(), 3U);
+  EXPECT_EQ(read(" ,Area,Perim.\na,1385,132.5\nb,1420,134.1\n").particles.size(), 2U);
+}
+
 TEST(TableDoubts, SpecksAreNoted) {
   const auto comb = [](int teeth) {
     std::vector<std::array<long, 2>> columns;
