@@ -66,10 +66,9 @@ TEST_F(FoamFiles, EntriesAreWhatOpenFoamSees) {
   EXPECT_FALSE(entry("rho", "constant/none"));
 }
 
-/// The same from the packaged foamDictionary, where it is there.
+/// The same from foamDictionary, which comes with OpenFOAM's libraries.
 TEST_F(FoamFiles, AgreesWithFoamDictionary) {
   POWDERLINK_NEEDS_FOAM();
-  if (std::system("command -v foamDictionary >/dev/null 2>&1") != 0) GTEST_SKIP();
   std::string plain = kDictionary;
   plain.erase(plain.find("made #calc"), plain.find("#ifeq") - plain.find("made #calc"));
   write_in(folder_, "constant/transportProperties", plain);
