@@ -59,7 +59,7 @@ std::string table(const FlowReport& report) {
   add("solids flow", report.mean_flow_kg_s, "kg/s");
   add("its RMS deviation",
       report.irregularity ? std::optional(report.irregularity->rms_percent) : std::nullopt, "%");
-  add("  moving average over", report.options.average_s, "s");
+  add("  moving average over", report.options.measures.average_s, "s");
   add("particle velocity, mean", report.particles.velocity_mean_m_s(), "m/s");
   add("particle velocity, spread", report.particles.velocity_deviation_m_s(), "m/s");
   add("particles in the case", report.particles.mean_particles(), "");
@@ -110,6 +110,7 @@ void run(const Options& o) {
                report.window().axis.name(), report.window().axis.letter(), report.slice_m->from,
                report.slice_m->to, report.times_s.size(), report.times_s.front());
   }
+  for (const FlowFindings& findings : report.findings) fmt::print("{}", findings.text);
   fmt::print("{}tables{} are in {}\n", focus(report.particles), o.no_figures ? "" : " and figures",
              out.string());
 }
@@ -140,7 +141,14 @@ void add_flow_command(CLI::App& app) {
       ->expected(2);
   c->add_option("--slice-thickness", flow.slice_m,
                 "slices of all profiles [m] (default: 1 mm, or a twentieth of a shorter channel)");
-  c->add_option("--average", flow.average_s, "window of the moving average of the solids flow [s]")
+  c->add_option("--average", flow.measures.average_s,
+                "window of the moving average of the solids flow [s]")
+      ->capture_default_str();
+  c->add_option("--cluster-threshold", flow.measures.cluster_threshold,
+                "a cluster holds more than this many times the mean number of particles per length")
+      ->capture_default_str();
+  c->add_option("--cluster-length", flow.measures.cluster_length_m,
+                "... over this length [m] or more")
       ->capture_default_str();
   c->add_option("--dt", flow.time_step_s,
                 "DEM time step [s] (default: from the dumps, log.liggghts or in.*)");

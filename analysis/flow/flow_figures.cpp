@@ -67,15 +67,23 @@ std::vector<std::string> draw_flow_figures(const FlowReport& report, const fs::p
       std::max(report.slope ? report.slope->from_m : window.from_m, -kFar_m),
       std::min(report.slope ? report.slope->to_m : window.to_m, kFar_m), window.from_s,
       report.mean_flow_kg_s.value_or(0.0),
-      report.irregularity ? report.irregularity->rms_percent : -1.0, 1e3 * report.options.average_s,
-      axis.letter(), "xyz"[axis.across()], "xyz"[axis.up()], kEnough);
-  std::vector<std::string> notes;
+      report.irregularity ? report.irregularity->rms_percent : -1.0,
+      1e3 * report.options.measures.average_s, axis.letter(), "xyz"[axis.across()],
+      "xyz"[axis.up()], kEnough);
+  std::vector<FlowFigure> figures;
   for (const char* name :
        {"pressure", "solids_flow", "height", "velocity", "width", "concentration"}) {
-    const fs::path table = fs::absolute(out / (std::string(name) + ".csv"));
+    if (!fs::is_regular_file(out / (std::string(name) + ".csv"))) continue;
+    figures.push_back({name, "", why_not(name, report)});
+  }
+  for (const FlowFindings& findings : report.findings) {
+    figures.insert(figures.end(), findings.figures.begin(), findings.figures.end());
+  }
+  std::vector<std::string> notes;
+  for (const auto& [name, own, why] : figures) {
+    const fs::path table = fs::absolute(out / (name + ".csv"));
     const fs::path svg = out / fmt::format("{}.svg", name);
-    if (!fs::is_regular_file(table)) continue;
-    if (const std::string why = why_not(name, report); !why.empty()) {
+    if (!why.empty()) {
       // That of another run of the command would not belong to the new table.
       std::error_code ignored;
       fs::remove(svg, ignored);
@@ -83,7 +91,8 @@ std::vector<std::string> draw_flow_figures(const FlowReport& report, const fs::p
       continue;
     }
     draw_figure(svg, fmt::format("flow_{}.gp", name),
-                fmt::format("{}; table={}", common, gnuplot_string(table.string())),
+                fmt::format("{}; table={}{}{}", common, gnuplot_string(table.string()),
+                            own.empty() ? "" : "; ", own),
                 "give --no-figures");
   }
   return notes;

@@ -54,6 +54,7 @@ struct FlowScene {
   const FlowStatistics* particles = nullptr;
   FlowMeasures measures;
   std::optional<Interval> reach_m;             ///< of the channel along the axis
+  std::optional<Interval> mesh_m;              ///< of the mesh alone
   std::optional<Interval> flow_slice_m;        ///< that the solids flow is taken through
   std::optional<double> irregularity_percent;  ///< of that flow
   std::optional<double> gas_density_kg_m3;
@@ -77,6 +78,8 @@ class FlowObservable {
   FlowObservable& operator=(const FlowObservable&) = delete;
   virtual ~FlowObservable() = default;
 
+  /// Before the first state.
+  virtual void begin(const std::filesystem::path& /*case_folder*/) {}
   /// An established state; times increase.
   virtual void add(double /*time_s*/, const DumpState& /*state*/) {}
   virtual FlowFindings find(const FlowScene& scene) = 0;

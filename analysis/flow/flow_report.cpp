@@ -10,6 +10,7 @@
 #include <tuple>
 
 #include "analysis/flow/flow_channel.h"
+#include "analysis/flow/flow_observables.h"
 #include "analysis/flow/particle_clock.h"
 #include "analysis/foam/foam_files.h"
 #include "models/invalid_input.h"
@@ -71,18 +72,22 @@ std::string text_of(const FlowWindow& window) {
   return fmt::format("all {}", letter);
 }
 
-void read_particles(const fs::path& folder, const std::vector<fs::path>& dumps, FlowReport& report,
+void read_particles(const fs::path& folder, const std::vector<fs::path>& dumps,
+                    ParticleClock& clock, FlowObservables& observables, FlowReport& report,
                     const FlowProgress& progress) {
-  ParticleClock clock(folder, report.options.time_step_s);
   if (!clock.known() && foam_file_exists(folder / "constant" / "couplingProperties")) {
     report.notes.emplace_back(
         "powderFoam has not written fields yet: times are those of LIGGGHTS, which is ahead of the "
         "gas if it ran before the first exchange; wait for the first time folder in that case");
   }
   std::size_t done = 0;
+  for (const auto& observable : observables) observable->begin(folder);
   for (const fs::path& dump : dumps) {
     read_dump(dump, [&](const DumpState& state) {
-      report.particles.add(clock.gas_time_s(state), state);
+      const double time_s = clock.gas_time_s(state);
+      report.particles.add(time_s, state);
+      if (time_s < report.window().from_s) return;
+      for (const auto& observable : observables) observable->add(time_s, state);
     });
     if (progress) progress(++done, dumps.size());
   }
@@ -136,7 +141,8 @@ void judge_particles(FlowReport& report) {
     return;
   }
   report.flow_kg_s = p.solids_flow_kg_s(*report.slice_m);
-  report.average_kg_s = moving_average(report.times_s, report.flow_kg_s, report.options.average_s);
+  report.average_kg_s =
+      moving_average(report.times_s, report.flow_kg_s, report.options.measures.average_s);
   double sum = 0.0;
   for (const double flow : report.flow_kg_s) sum += flow;
   report.mean_flow_kg_s = sum / static_cast<double>(report.flow_kg_s.size());
@@ -147,14 +153,14 @@ void judge_particles(FlowReport& report) {
                     "over {:g} s, or "
                     "nothing flows; dump more often, run longer, or give a shorter --average",
                     report.times_s.size(), report.times_s.back() - report.times_s.front(),
-                    report.options.average_s));
+                    report.options.measures.average_s));
   } else if (const double apart = (report.times_s.back() - report.times_s.front()) /
                                   static_cast<double>(report.times_s.size() - 1);
-             report.options.average_s < apart) {
+             report.options.measures.average_s < apart) {
     report.notes.push_back(fmt::format(
         "the dumps are {:g} s apart, further than the {:g} s of the moving average, which then "
         "hardly averages: dump more often for a comparison with other runs",
-        apart, report.options.average_s));
+        apart, report.options.measures.average_s));
   }
 }
 
@@ -167,6 +173,7 @@ void read_gas(const fs::path& folder, FlowReport& report) {
     return;
   }
   const auto density = gas_density_kg_m3(folder, report.options.density_kg_m3);
+  report.gas_density_kg_m3 = density;
   if (!density) {
     report.notes.push_back(
         "no pressure in Pa: constant/transportProperties has no rho; give --density kg/m^3");
@@ -209,6 +216,40 @@ void read_gas(const fs::path& folder, FlowReport& report) {
   }
 }
 
+FlowChannelShape shape_of(const FlowChannel& channel) {
+  FlowChannelShape shape;
+  if (const auto reach = channel.reach_m()) shape.reach_m = Interval{reach->first, reach->second};
+  if (!channel.mesh) return shape;
+  const FlowAxis& axis = channel.axis;
+  shape.reach_m = Interval{channel.mesh->low_m.at(axis.index), channel.mesh->high_m.at(axis.index)};
+  shape.radius_m =
+      0.5 * std::max(channel.mesh->length_m(axis.across()), channel.mesh->length_m(axis.up()));
+  for (std::size_t i = 0; i < 3; ++i) {
+    shape.centre_m[i] = 0.5 * (channel.mesh->low_m[i] + channel.mesh->high_m[i]);
+  }
+  return shape;
+}
+
+/// Needs the gas, so after read_gas().
+void observe(const fs::path& folder, const FlowChannel& channel, ParticleClock& clock,
+             FlowObservables& observables, FlowReport& report) {
+  FlowScene scene;
+  scene.folder = folder;
+  scene.particles = &report.particles;
+  scene.measures = report.options.measures;
+  scene.reach_m = shape_of(channel).reach_m;
+  if (channel.mesh) scene.mesh_m = scene.reach_m;
+  scene.flow_slice_m = report.slice_m;
+  if (report.irregularity) scene.irregularity_percent = report.irregularity->rms_percent;
+  scene.gas_density_kg_m3 = report.gas_density_kg_m3;
+  if (report.pressure) scene.pressure = &*report.pressure;
+  scene.clock = &clock;
+  for (const auto& observable : observables) {
+    report.findings.push_back(observable->find(scene));
+    for (const std::string& note : report.findings.back().notes) report.notes.push_back(note);
+  }
+}
+
 std::string cell(const std::optional<double>& value) {
   return value ? fmt::format("{:.9g}", *value) : "";
 }
@@ -239,7 +280,7 @@ std::string flow_table(const FlowReport& report) {
     text = fmt::format(
         "# sum(m v)/d{0} in the slice {0} = {1:.9g} to {2:.9g} m; moving average over {3:g} s\n",
         report.window().axis.letter(), report.slice_m->from, report.slice_m->to,
-        report.options.average_s);
+        report.options.measures.average_s);
   }
   text += "time_s,particle_count,solids_flow_kg_s,moving_average_kg_s\n";
   std::size_t i = 0;
@@ -336,9 +377,9 @@ fs::path find_coupled_case(const fs::path& folder) {
 
 FlowReport analyse_flow(const fs::path& folder, const FlowOptions& options,
                         const FlowProgress& progress) {
-  if (!(options.average_s > 0.0 && std::isfinite(options.average_s))) {
-    throw InvalidInput("option --average", number_text(options.average_s) + " s", "above 0 s",
-                       "give the window of the moving average, such as 2e-3");
+  if (!(options.measures.average_s > 0.0 && std::isfinite(options.measures.average_s))) {
+    throw InvalidInput("option --average", number_text(options.measures.average_s) + " s",
+                       "above 0 s", "give the window of the moving average, such as 2e-3");
   }
   std::vector<fs::path> dumps;
   std::string no_dumps;
@@ -351,12 +392,15 @@ FlowReport analyse_flow(const fs::path& folder, const FlowOptions& options,
       look_at_channel(folder, dumps.empty() ? DumpState{} : read_last_state(dumps.back()),
                       options.axis, options.probes);
   FlowReport report(options, window_of(channel, options));
+  ParticleClock clock(folder, options.time_step_s);
+  FlowObservables observables = make_flow_observables(report.window(), shape_of(channel));
   if (!dumps.empty()) {
     require_within(channel, options);
-    read_particles(folder, dumps, report, progress);
+    read_particles(folder, dumps, clock, observables, report, progress);
     judge_particles(report);
   }
   read_gas(folder, report);
+  if (!dumps.empty()) observe(folder, channel, clock, observables, report);
   if (dumps.empty() && !report.pressure) {
     throw InvalidInput("analysing " + folder.string(),
                        "neither particles in post/particles_*.dump nor pressure in Pa",
@@ -394,12 +438,20 @@ std::string flow_json(const FlowReport& report) {
   j["solids_flow_kg_s"] = or_null(report.mean_flow_kg_s);
   j["solids_flow_rms_percent"] =
       or_null(report.irregularity ? std::optional(report.irregularity->rms_percent) : std::nullopt);
-  j["window_s"] = report.options.average_s;
+  j["window_s"] = report.options.measures.average_s;
   j["particle_velocity_mean_m_s"] = or_null(report.particles.velocity_mean_m_s());
   j["particle_velocity_std_m_s"] = or_null(report.particles.velocity_deviation_m_s());
   j["particle_count"] = or_null(report.particles.mean_particles());
   j["coupling_share_percent"] = or_null(report.cost.coupling_share_percent);
   j["wall_s_per_simulated_ms"] = or_null(report.cost.wall_s_per_simulated_ms);
+  for (const FlowFindings& findings : report.findings) {
+    for (const FlowNumber& number : findings.numbers) {
+      j[number.key] = or_null(number.value);
+      if (!number.value || !number.interval) continue;
+      j[number.key] = {
+          {"value", *number.value}, {"low", number.interval->from}, {"high", number.interval->to}};
+    }
+  }
   return j.dump(1) + "\n";
 }
 
@@ -412,6 +464,9 @@ std::vector<std::pair<std::string, std::string>> flow_tables(const FlowReport& r
     tables.emplace_back("velocity.csv", velocity_table(report.particles));
     tables.emplace_back("width.csv", width_table(report.particles));
     tables.emplace_back("concentration.csv", concentration_table(report.particles));
+  }
+  for (const FlowFindings& findings : report.findings) {
+    tables.insert(tables.end(), findings.tables.begin(), findings.tables.end());
   }
   return tables;
 }

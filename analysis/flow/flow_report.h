@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "analysis/flow/flow_observable.h"
 #include "analysis/flow/flow_statistics.h"
 #include "analysis/flow/moving_average.h"
 #include "analysis/flow/pressure_profile.h"
@@ -23,8 +24,8 @@ struct FlowOptions {
   std::optional<std::string> axis;     ///< x, -x, ...; default: flow_channel.h
   std::optional<double> from_m, to_m;  ///< places on the axis; default: flow_channel.h
   std::optional<double>
-      slice_m;              ///< thickness of the slices; default: 1 mm, or less where it is short
-  double average_s = 2e-3;  ///< window of the moving average
+      slice_m;            ///< thickness of the slices; default: 1 mm, or less where it is short
+  FlowMeasures measures;  ///< windows and limits of what is measured
   std::optional<Interval> flow_slice_m;  ///< of the solids flow
   std::optional<double> time_step_s;     ///< of the DEM
   std::optional<double> density_kg_m3;   ///< of the gas
@@ -44,10 +45,12 @@ struct FlowReport {
   std::vector<std::optional<double>> average_kg_s;
   std::optional<double> mean_flow_kg_s;
   std::optional<Irregularity> irregularity;
+  std::optional<double> gas_density_kg_m3;
   std::optional<PressureProfile> pressure;
   std::optional<PressureSlope> slope;
   SolverCost cost;
-  std::vector<std::string> notes;  ///< what is missing and why
+  std::vector<FlowFindings> findings;  ///< of flow_observables.h, in its order
+  std::vector<std::string> notes;      ///< what is missing and why
 };
 
 using FlowProgress = std::function<void(std::size_t done, std::size_t all)>;
@@ -60,10 +63,11 @@ std::filesystem::path find_coupled_case(const std::filesystem::path& folder);
 FlowReport analyse_flow(const std::filesystem::path& case_folder, const FlowOptions& options,
                         const FlowProgress& progress = {});
 
-/// Nine numbers, null for what is missing.
+/// Nine numbers, then those of the observables; null for what is missing.
 std::string flow_json(const FlowReport& report);
 
-/// File name and content (columns are named by the axes, here z, x, y): pressure, solids_flow, height, velocity, width, concentration.
+/// File name and content (columns are named by the axes, here z, x, y): pressure, solids_flow, height,
+/// velocity, width, concentration, and those of the observables.
 std::vector<std::pair<std::string, std::string>> flow_tables(const FlowReport& report);
 
 }  // namespace powderlink::analysis

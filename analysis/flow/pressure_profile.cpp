@@ -46,21 +46,35 @@ struct ProbeFile {
   std::vector<std::pair<double, std::vector<double>>> rows;  ///< time, kinematic pressures
 };
 
-ProbeFile read_probes(const fs::path& file) {
+/// The place that a line of the head gives.
+std::optional<Place> place_in(const std::string& line, const fs::path& file, long count) {
   static const std::regex head(R"(#\s*Probe\s+\d+\s*\(\s*(\S+)\s+(\S+)\s+([^\s)]+)\s*\).*)");
+  std::smatch match;
+  if (!std::regex_match(line, match, head)) return {};
+  return Place{number(match[1], file, count), number(match[2], file, count),
+               number(match[3], file, count)};
+}
+
+std::vector<Place> read_head(const fs::path& file) {
+  std::ifstream in(file);
+  std::vector<Place> places;
+  std::string line;
+  for (long count = 1; std::getline(in, line) && line[0] == '#'; ++count) {
+    if (const auto place = place_in(line, file, count)) places.push_back(*place);
+  }
+  return places;
+}
+
+ProbeFile read_probes(const fs::path& file) {
   std::ifstream in(file);
   ProbeFile probes;
   std::string line;
-  std::smatch match;
   long count = 0;
   while (std::getline(in, line)) {
     ++count;
     if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
     if (line[0] == '#') {
-      if (std::regex_match(line, match, head)) {
-        probes.places.push_back({number(match[1], file, count), number(match[2], file, count),
-                                 number(match[3], file, count)});
-      }
+      if (const auto place = place_in(line, file, count)) probes.places.push_back(*place);
       continue;
     }
     std::istringstream text(line);
@@ -81,7 +95,7 @@ ProbeFile read_probes(const fs::path& file) {
 }
 
 /// Folders of one probe set by start time.
-std::map<double, fs::path> starts(const fs::path& set) {
+std::map<double, fs::path> starts(const fs::path& set, const std::string& field = "p") {
   std::map<double, fs::path> found;
   std::error_code problem;
   for (const auto& entry : fs::directory_iterator(set, problem)) {
@@ -89,8 +103,8 @@ std::map<double, fs::path> starts(const fs::path& set) {
     double time = 0.0;
     const char* last = name.data() + name.size();
     const auto [end, error] = std::from_chars(name.data(), last, time);
-    if (error == std::errc() && end == last && fs::is_regular_file(entry.path() / "p")) {
-      found[time] = entry.path() / "p";
+    if (error == std::errc() && end == last && fs::is_regular_file(entry.path() / field)) {
+      found[time] = entry.path() / field;
     }
   }
   return found;
@@ -128,9 +142,10 @@ std::vector<std::string> pressure_probe_sets(const fs::path& case_folder) {
   return sets;
 }
 
-std::vector<Place> probe_places(const fs::path& case_folder, const std::string& set) {
-  const auto files = starts(case_folder / "postProcessing" / set);
-  return files.empty() ? std::vector<Place>{} : read_probes(files.begin()->second).places;
+std::vector<Place> probe_places(const fs::path& case_folder, const std::string& set,
+                                const std::string& field) {
+  const auto files = starts(case_folder / "postProcessing" / set, field);
+  return files.empty() ? std::vector<Place>{} : read_head(files.begin()->second);
 }
 
 PressureProfile read_pressure(const fs::path& case_folder, const std::string& set,

@@ -43,8 +43,9 @@ std::optional<double> gas_density_kg_m3(const std::filesystem::path& case_folder
 /// Names of the probe sets that recorded p.
 std::vector<std::string> pressure_probe_sets(const std::filesystem::path& case_folder);
 
-/// Where the probes of a set are; empty for a set that is not there.
-std::vector<Place> probe_places(const std::filesystem::path& case_folder, const std::string& set);
+/// Where the probes of a set are; empty for a set that is not there, or has not recorded the field.
+std::vector<Place> probe_places(const std::filesystem::path& case_folder, const std::string& set,
+                                const std::string& field = "p");
 
 /// Throws for damaged files. Rows before from_s do not count.
 PressureProfile read_pressure(const std::filesystem::path& case_folder, const std::string& set,

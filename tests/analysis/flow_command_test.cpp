@@ -17,7 +17,7 @@ const std::vector<std::string> kKeys{"pressure_slope_Pa_m",
                                      "coupling_share_percent",
                                      "wall_s_per_simulated_ms"};
 
-TEST(FlowCommand, WritesTablesFiguresAndExactlyTheseNumbers) {
+TEST(FlowCommand, WritesTablesFiguresAndTheseNumbersFirst) {
   const TestFolder folder;
   write_stream_case(folder);
   const std::string json = (folder.path() / "flow.json").string();
@@ -27,12 +27,16 @@ TEST(FlowCommand, WritesTablesFiguresAndExactlyTheseNumbers) {
   const auto found = nlohmann::ordered_json::parse(read_file(json));
   std::vector<std::string> keys;
   for (const auto& [key, value] : found.items()) keys.push_back(key);
+  // Scripts that read the first ones stay right; observables add theirs behind.
+  ASSERT_GT(keys.size(), kKeys.size());
+  keys.resize(kKeys.size());
   EXPECT_EQ(keys, kKeys);
   EXPECT_NEAR(found["solids_flow_kg_s"].get<double>(), kStreamFlow_kg_s, 1e-12);
   EXPECT_EQ(found["particle_count"], kStreamParticles);
   const bool gnuplot = std::system("command -v gnuplot >/dev/null 2>&1") == 0;
   for (const char* name :
-       {"pressure", "solids_flow", "height", "velocity", "width", "concentration"}) {
+       {"pressure", "solids_flow", "height", "velocity", "width", "concentration",
+        "section_height", "section_radius", "envelope"}) {
     const auto base = folder.path() / "flow" / name;
     EXPECT_TRUE(std::filesystem::exists(base.string() + ".csv")) << name;
     if (gnuplot) {
