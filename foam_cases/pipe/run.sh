@@ -70,14 +70,8 @@ start_gas() {
     "the settings in steady/" "convergence within 500 iterations" "see $PWD/log.simpleFoam"
   empty_pressure=$(awk 'END { print $2 }' postProcessing/inletPressure/0/surfaceFieldValue.dat)
   # Developed behind 0.2 m.
-  empty_slope_Pa_m=$(awk -v density="$density" '
-    /^# Probe/ { gsub(/[()]/, ""); z[n++] = $NF }
-    !/^#/ { for (i = 0; i < n; i++) p[i] = density*$(i + 2) }
-    END {
-      for (i = 0; i < n; i++) if (z[i] > 0.199) { m++; mz += z[i]; mp += p[i] }
-      for (i = 0; i < n; i++) if (z[i] > 0.199) { zz += (z[i] - mz/m)^2; zp += (z[i] - mz/m)*(p[i] - mp/m) }
-      print (m > 1 ? -zp/zz : "none")
-    }' postProcessing/axis/0/p)
+  empty_slope_Pa_m=$(awk -v density="$density" -v from=0.199 -f "$native/slope.awk" \
+    postProcessing/axis/0/p | awk '{ slope = $2 } END { print (NR ? slope : "none") }')
 }
 
 # The steady gas is time 0 of gas and powder.
