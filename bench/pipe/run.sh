@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # bench/pipe/run.sh [--mppic PROGRAM|build|no] [--layout DEM+CFD] [--steps N]: wall time per simulated
-# ms of pipe case A (--inputs assumed) from the filled state, powderlink against stock DPMFoam and MP-PIC on two ranks,
-# with the same mesh, gas, grains (positions, velocities, diameters) and pressure solver.
+# ms of pipe case A (--inputs assumed) from the filled state, powderlink against stock DPMFoam and MP-PIC
+# on two ranks, with the same mesh, gas, grains (positions, velocities, diameters) and pressure solver.
 #   powderlink  2 ms of warm-up, then 2 ms; each 5000 DEM steps
 #   CPU         of the fluid's program on its first rank, waiting for other ranks included
 #   stock       2 steps of warm-up, then N steps (default 10; MP-PIC 4 N) of 5 us; extrapolated to 1 ms;

@@ -46,12 +46,14 @@ pipe_inputs_set() {  # NAME=VALUE...
     [[ $setting == *=?* && " ${names//[$'\n']/ } " == *" $name "* ]] || foam_case_fail "unknown input" \
       "$setting" "NAME=VALUE with NAME of $(xargs <<<"$names")" "correct --set"
     case $name in
-      sizeLaw) [[ ${setting#*=} =~ ^(number|mass)$ ]] || foam_case_fail "unknown law of sizes" "$setting" \
-        "number, mass" "correct --set" ;;
-      model) [[ ${setting#*=} =~ ^[AB]$ ]] || foam_case_fail "unknown model" "$setting" "A, B" "correct --set" ;;
+      sizeLaw) [[ ${setting#*=} =~ ^(number|mass)$ ]] ||
+        foam_case_fail "unknown law of sizes" "$setting" "number, mass" "correct --set" ;;
+      model) [[ ${setting#*=} =~ ^[AB]$ ]] ||
+        foam_case_fail "unknown model" "$setting" "A, B" "correct --set" ;;
       forces) ;;
-      *) [[ ${setting#*=} =~ ^([0-9]+\.?[0-9]*|\.[0-9]+)(e[-+]?[0-9]+)?$ ]] || foam_case_fail "bad value of an input" \
-        "$setting" "a number, not negative, in SI units" "correct --set" ;;
+      *) [[ ${setting#*=} =~ ^([0-9]+\.?[0-9]*|\.[0-9]+)(e[-+]?[0-9]+)?$ ]] ||
+        foam_case_fail "bad value of an input" "$setting" "a number, not negative, in SI units" \
+          "correct --set" ;;
     esac
     given[$name]=${setting#*=}
   done
@@ -79,8 +81,9 @@ pipe_inputs_agree() {  # name, name, what the second one must be after the first
   local follows
   [[ -n ${input[$1]:-} && -n ${input[$2]:-} ]] || return 0
   follows=$(pipe_calculate "$3")
-  pipe_holds "($2 - $follows)^2 <= ($pipe_digits*$follows)^2" || foam_case_fail "two inputs contradict each other" \
-    "$1 ${input[$1]} and $2 ${input[$2]}" "$2 $(printf %.4g "$follows") within 1 % ($4)" "leave one of them out"
+  pipe_holds "($2 - $follows)^2 <= ($pipe_digits*$follows)^2" ||
+    foam_case_fail "two inputs contradict each other" "$1 ${input[$1]} and $2 ${input[$2]}" \
+      "$2 $(printf %.4g "$follows") within 1 % ($4)" "leave one of them out"
 }
 
 # A dashpot of alpha sqrt(m* k): in a Hertz contact, where it follows the stiffness, it gives the
@@ -116,8 +119,8 @@ pipe_inputs_powder() {  # file
   local scale range
   if [[ -n ${input[meanMass]:-} && -n ${input[sizeScale]:-} ]]; then
     foam_case_fail "two inputs say the same thing" \
-      "meanMass ${input[meanMass]} and sizeScale ${input[sizeScale]}" "one of them: the scale follows from the mass" \
-      "leave one of them out"
+      "meanMass ${input[meanMass]} and sizeScale ${input[sizeScale]}" \
+      "one of them: the scale follows from the mass" "leave one of them out"
   fi
   pipe_holds 'sizeOrigin <= 40e-6 && sizeExponent > 0 && density > 0' || foam_case_fail "bad law of sizes" \
     "origin ${input[sizeOrigin]} m, exponent ${input[sizeExponent]}, density ${input[density]} kg/m3" \
@@ -138,8 +141,9 @@ pipe_inputs_powder() {  # file
 # Time step: the longest that is at most a quarter of the smallest grain's Rayleigh time and of which
 # 2^a 5^b make an exchange, so that it has few digits.
 pipe_inputs_step() {
-  local rayleigh='pi*smallestGrain*sqrt(density*2*(1 + poissonsRatio)/youngsModulus)/(0.8766 + 0.1631*poissonsRatio)'
-  input[rayleighTime]=$(pipe_calculate "$rayleigh")
+  local shear='youngsModulus/(2*(1 + poissonsRatio))'
+  input[rayleighTime]=$(pipe_calculate \
+    "pi*smallestGrain*sqrt(density/($shear))/(0.8766 + 0.1631*poissonsRatio)")
   input[every]=$(awk -v least="$(pipe_calculate "$pipe_couplings_s/($pipe_rayleigh_part*rayleighTime)")" '
     function whole(n) { while (n % 2 == 0) n /= 2; while (n % 5 == 0) n /= 5; return n == 1 }
     BEGIN { n = int(least); if (n < least) n++; while (!whole(n)) n++; print n }')
@@ -153,14 +157,17 @@ pipe_inputs_step() {
 pipe_inputs_injection() {  # radius of the pipe
   local layer
   layer=$(pipe_calculate 'inletSpeed*insertEvery*dt')
-  pipe_holds "diskDiameter/2 + largestGrain <= $1" || foam_case_fail "the disk of injection does not fit the pipe" \
-    "disk of ${input[diskDiameter]} m, largest grain of radius ${input[largestGrain]} m, pipe of radius $1 m" \
-    "a disk of at most $(pipe_calculate "2*($1 - largestGrain)") m" "correct diskDiameter"
-  pipe_holds 'pitch >= 2*largestGrain' || foam_case_fail "points of injection are closer than the largest grain" \
-    "pitch ${input[pitch]} m" "at least $(pipe_calculate '2*largestGrain') m" "correct pitch"
-  pipe_holds "$layer >= 2*largestGrain" || foam_case_fail "layers of injected grains overlap" \
-    "$layer m between layers at ${input[inletSpeed]} m/s" "at least $(pipe_calculate '2*largestGrain') m, the largest grain" \
-    "raise inletOverGas"
+  pipe_holds "diskDiameter/2 + largestGrain <= $1" ||
+    foam_case_fail "the disk of injection does not fit the pipe" \
+      "disk of ${input[diskDiameter]} m, largest grain of radius ${input[largestGrain]} m, pipe of radius $1 m" \
+      "a disk of at most $(pipe_calculate "2*($1 - largestGrain)") m" "correct diskDiameter"
+  pipe_holds 'pitch >= 2*largestGrain' ||
+    foam_case_fail "points of injection are closer than the largest grain" "pitch ${input[pitch]} m" \
+      "at least $(pipe_calculate '2*largestGrain') m" "correct pitch"
+  pipe_holds "$layer >= 2*largestGrain" ||
+    foam_case_fail "layers of injected grains overlap" \
+      "$layer m between layers at ${input[inletSpeed]} m/s" \
+      "at least $(pipe_calculate '2*largestGrain') m, the largest grain" "raise inletOverGas"
 }
 
 pipe_inputs_derive() {  # case, file of the powder

@@ -163,7 +163,8 @@ foam_case_result injection_rate 1/s "$(calculate "$injected/$end_s")" "$rate_per
 # Three standard deviations of the mean of all grains.
 foam_case_result injected_mass_rate kg/s \
   "$(awk -F, -v t="$end_s" 'END { printf "%.6g", $6/t }' $counts)" \
-  "$(calculate "$rate_per_s*${input[grainMass]}")" "$(calculate "3*${input[grainSpread]}/sqrt($injected) + 0.001")" \
+  "$(calculate "$rate_per_s*${input[grainMass]}")" \
+  "$(calculate "3*${input[grainSpread]}/sqrt($injected) + 0.001")" \
   "rate times mean mass of in.powder, statistical error"
 
 # Momentum of the gas along the pipe, mean of the last half: pressure = wall + powder + outflow - inflow.
