@@ -38,7 +38,7 @@ if [[ $(id -u) == 0 ]]; then
 fi
 
 foam_case_fail() {  # what, given, allowed, to do
-  printf 'run.sh: %s; given: %s; allowed: %s; to do: %s\n' "$1" "$2" "$3" "$4" >&2
+  printf '%s: %s; given: %s; allowed: %s; to do: %s\n' "${0##*/}" "$1" "$2" "$3" "$4" >&2
   exit 1
 }
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # bench/pipe/run.sh [--mppic PROGRAM|build|no] [--layout DEM+CFD] [--steps N]: wall time per simulated
-# ms of pipe case A from the filled state, powderlink against stock DPMFoam and MP-PIC on two ranks,
-# with the same mesh, gas, grains (positions, velocities, diameters) and pressure solver.
+# ms of pipe case A (--inputs assumed) from the filled state, powderlink against stock DPMFoam and MP-PIC
+# on two ranks, with the same mesh, gas, grains (positions, velocities, diameters) and pressure solver.
 #   powderlink  2 ms of warm-up, then 2 ms; each 5000 DEM steps
 #   CPU         of the fluid's program on its first rank, waiting for other ranks included
 #   stock       2 steps of warm-up, then N steps (default 10; MP-PIC 4 N) of 5 us; extrapolated to 1 ms;
@@ -65,7 +65,7 @@ cpu_s_per_ms() {  # log, from s, to s: by the fluid's program
 powderlink() {
   watch_memory "$work/powderlink/case" "$work/memory" &
   local watcher=$!
-  "$root/foam_cases/pipe/run.sh" --filled --case A --end-time 0.004 --write-interval 0.002 \
+  "$root/foam_cases/pipe/run.sh" --filled --case A --inputs assumed --end-time 0.004 --write-interval 0.002 \
     --dem-ranks "${layout%+*}" --ranks "${layout#*+}" --out "$work/powderlink" >"$work/log" 2>&1 || {
     tail -n 20 "$work/log" >&2
     exit 1

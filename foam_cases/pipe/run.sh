@@ -1,20 +1,24 @@
 #!/usr/bin/env bash
 # Metal powder in a pipe: steady flow of the gas alone, then gas and powder.
-# run.sh [--short] [--filled] [--case A|B] [--contact hertz|jkr] [--end-time T] [--continue]
-#        [--write-interval T] [--ranks N] [--dem-ranks N] [--transport mpi|socket] [--out DIR]
+# run.sh [--short] [--filled] [--case A|B] [--inputs source|assumed] [--set NAME=VALUE]...
+#        [--contact hertz|jkr] [--end-time T] [--continue] [--write-interval T] [--ranks N] [--dem-ranks N]
+#        [--transport mpi|socket] [--out DIR]
 set -euo pipefail
 cd "$(dirname "$0")"
 . ../../scripts/foam_case.sh
+. ./inputs.sh
 
-flow=A contact=hertz end_time='' write_interval='' filled=no go_on=no others=()
+flow='' variant='' settings=() contact=hertz end_time='' write_interval='' filled=no go_on=no others=()
 while [[ $# -gt 0 ]]; do
   case $1 in
     --filled) filled=yes; shift ;;
     --continue) go_on=yes; shift ;;
-    --case | --contact | --end-time | --write-interval)
+    --case | --inputs | --set | --contact | --end-time | --write-interval)
       [[ $# -ge 2 ]] || foam_case_fail "option without a value" "$1" "$1 VALUE" "add the value"
       case $1 in
         --case) flow=$2 ;;
+        --inputs) variant=$2 ;;
+        --set) settings+=("$2") ;;
         --contact) contact=$2 ;;
         --end-time) end_time=$2 ;;
         --write-interval) write_interval=$2 ;;
@@ -23,11 +27,6 @@ while [[ $# -gt 0 ]]; do
     *) others+=("$1"); shift ;;
   esac
 done
-case $flow in
-  A) gas_m_s=10 rate_per_s=300000 insert_every=250 inlet_m_s=2 ;;
-  B) gas_m_s=5 rate_per_s=150000 insert_every=500 inlet_m_s=1 ;;
-  *) foam_case_fail "unknown case" "$flow" "A, B" "correct --case" ;;
-esac
 [[ $contact == hertz || $contact == jkr ]] ||
   foam_case_fail "unknown contact model" "$contact" "hertz, jkr" "correct --contact"
 for time in "$end_time" "$write_interval"; do
@@ -36,6 +35,10 @@ for time in "$end_time" "$write_interval"; do
 done
 foam_case_options "${others[@]+"${others[@]}"}"
 foam_case_need liggghts-powderlink
+case ${variant:-source} in
+  source | assumed) ;;
+  *) foam_case_fail "unknown inputs" "$variant" "source, assumed" "correct --inputs" ;;
+esac
 
 native=$PWD
 setting() { foam_case_entry system/caseSettings "$1"; }
@@ -52,7 +55,7 @@ copy_case() {
   foam_case_copy
   cp "$native"/../hagen_poiseuille/system/{blockMeshDict,fvSchemes,decomposeParDict} system
   cp "$native"/../hagen_poiseuille/constant/turbulenceProperties constant
-  foam_case_set system/caseSettings inletVelocity "$gas_m_s"
+  foam_case_set system/caseSettings inletVelocity "${input[gasSpeed]}"
 }
 
 # Steady flow of the gas alone, by OpenFOAM's own solver.
@@ -67,21 +70,20 @@ start_gas() {
     "the settings in steady/" "convergence within 500 iterations" "see $PWD/log.simpleFoam"
   empty_pressure=$(awk 'END { print $2 }' postProcessing/inletPressure/0/surfaceFieldValue.dat)
   # Developed behind 0.2 m.
-  empty_slope_Pa_m=$(awk -v density="$density" '
-    /^# Probe/ { gsub(/[()]/, ""); z[n++] = $NF }
-    !/^#/ { for (i = 0; i < n; i++) p[i] = density*$(i + 2) }
-    END {
-      for (i = 0; i < n; i++) if (z[i] > 0.199) { m++; mz += z[i]; mp += p[i] }
-      for (i = 0; i < n; i++) if (z[i] > 0.199) { zz += (z[i] - mz/m)^2; zp += (z[i] - mz/m)*(p[i] - mp/m) }
-      print (m > 1 ? -zp/zz : "none")
-    }' postProcessing/axis/0/p)
+  empty_slope_Pa_m=$(awk -v density="$density" -v from=0.199 -f "$native/slope.awk" \
+    postProcessing/axis/0/p | awk '{ slope = $2 } END { print (NR ? slope : "none") }')
 }
 
 # The steady gas is time 0 of gas and powder.
 start_coupled() {
   case_copy=case copy_case
   set_times
-  "$native"/make_stl.sh stl
+  foam_case_set constant/couplingProperties model "${input[model]}"
+  foam_case_set constant/couplingProperties particleMomentum/forces "(${input[forces]})"
+  pipe_inputs_write in.inputs
+  cp "$powder" in.powder
+  rm "$powder"
+  "$native"/make_stl.sh stl "${input[diskDiameter]}" "${input[pitch]}"
   cp -r ../gas/constant/polyMesh constant
   foam_case_run mapFields ../gas -consistent -sourceTime latestTime
 }
@@ -102,17 +104,21 @@ mean_after() {  # function object, file, column, time
 }
 
 density=1.6355      # kg/m3, as in constant/transportProperties
-grain_kg=9.421e-10  # in.powder
 
 if [[ $go_on == yes ]]; then
   foam_case_need powderlink
   [[ -d $out/case/post ]] || foam_case_fail "there is no run to continue" "$out/case" \
     "a folder in which run.sh has run" "leave --continue out, or correct --out"
   cd "$out/case"
-  foam_case_run "$foam_case_bin/powderlink" restart . --dt 4e-7 --prepare --json restart.json
+  pipe_inputs_read in.inputs
+  [[ -z $variant && ${#settings[@]} == 0 && ( -z $flow || $flow == "${input[flow]}" ) ]] ||
+    foam_case_fail "a run keeps its inputs" "--inputs, --set or another --case beside --continue" \
+      "--continue alone, of case ${input[flow]}" "leave them out, or begin a run in another --out"
+  foam_case_run "$foam_case_bin/powderlink" restart . --dt "${input[dt]}" --prepare --json restart.json
   from_s=$(sed -n -E 's/.*"time_s": *([^,]*),.*/\1/p' restart.json)
   # What the first run has written after that time is written again.
-  awk -F, -v from="$from_s" 'NR == 1 || (NF == 9 && $1 <= from + 2e-7)' post/particle_count.csv >post/count.part
+  awk -F, -v from="$from_s" -v dt="${input[dt]}" \
+    'NR == 1 || (NF == 9 && $1 <= from + dt/2)' post/particle_count.csv >post/count.part
   mv post/count.part post/particle_count.csv
   set_times
   ranks=1
@@ -120,6 +126,11 @@ if [[ $go_on == yes ]]; then
   foam_case_decompose() { :; }
   read -r fill_count empty_pressure empty_slope_Pa_m <start.txt
 else
+  powder=$(mktemp)
+  trap 'rm -f "$powder"' EXIT
+  pipe_inputs_read "inputs/${variant:-source}"
+  pipe_inputs_set ${settings[@]+"${settings[@]}"}
+  pipe_inputs_derive "${flow:-A}" "$powder"
   start_gas
   start_coupled
   fill_count=0
@@ -131,13 +142,13 @@ else
 fi
 
 end_s=$(setting endTime)
-steps=$(calculate "int($end_s/4e-7 + 0.5)")
-foam_case_couple in.pipe -var length "$(setting pipeLength)" -var rate "$rate_per_s" \
-  -var inletSpeed "$inlet_m_s" -var insertEvery "$insert_every" -var contact "$contact" \
+rate_per_s=${input[rate]} gas_m_s=${input[gasSpeed]}
+steps=$(calculate "int($end_s/${input[dt]} + 0.5)")
+foam_case_couple in.pipe -var length "$(setting pipeLength)" -var contact "$contact" \
   -var fillCount "$fill_count" -var restart "$([[ $go_on == yes ]] && echo 1 || echo 0)" \
   -var steps "$steps"
 
-foam_case_grain_steps 4e-7 post/particles_*.dump
+foam_case_grain_steps "${input[dt]}" post/particles_*.dump
 counts=post/particle_count.csv
 # A continued run writes the title again.
 awk 'NR == 1 || !/^time_s/' $counts >post/count.part
@@ -149,10 +160,11 @@ lines=$(awk 'END { print NR - 1 }' $counts)
 foam_case_result counts_written 1 "$lines" "$(calculate "int($end_s/1e-4 + 0.5)")" 0 "a line at every 100 us"
 injected=$(awk -F, -v fill="$fill_count" 'END { print $2 - fill }' $counts)
 foam_case_result injection_rate 1/s "$(calculate "$injected/$end_s")" "$rate_per_s" 0.005 "given"
-# A grain's mass varies by 0.77 of its mean; three standard deviations of the mean of all.
+# Three standard deviations of the mean of all grains.
 foam_case_result injected_mass_rate kg/s \
   "$(awk -F, -v t="$end_s" 'END { printf "%.6g", $6/t }' $counts)" \
-  "$(calculate "$rate_per_s*$grain_kg")" "$(calculate "3*0.77/sqrt($injected) + 0.001")" \
+  "$(calculate "$rate_per_s*${input[grainMass]}")" \
+  "$(calculate "3*${input[grainSpread]}/sqrt($injected) + 0.001")" \
   "rate times mean mass of in.powder, statistical error"
 
 # Momentum of the gas along the pipe, mean of the last half: pressure = wall + powder + outflow - inflow.

@@ -3,6 +3,8 @@
 # of its counts, or the rate or the momentum balance is off.
 set -euo pipefail
 test=$1 case=$2/foam_cases/pipe out=$3/$1
+# Of the source's inputs: 5e-7 s.
+steps_per_ms=2000
 run() { timeout 170 "$case/run.sh" --short --out "$out" "$@"; }
 fail() {
   echo "pipe_test: $*" >&2
@@ -19,7 +21,7 @@ same_run() {  # folder
     done
   done
   # A run that was killed after its last checkpoint dumps the same grains in another order.
-  cmp <(sort "$out/case/post/particles_5000.dump") <(sort "$1/case/post/particles_5000.dump") ||
+  cmp <(sort "$out/case/post/particles_$((2*steps_per_ms)).dump") <(sort "$1/case/post/particles_$((2*steps_per_ms)).dump") ||
     fail "grains differ"
   cmp "$out/case/post/particle_count.csv" "$1/case/post/particle_count.csv" || fail "counts differ"
 }
@@ -38,7 +40,7 @@ find_victim() {
 # a moment [ms] after the first pair of checkpoints. Status 1: the run ended before.
 kill_in_run() {  # beginning of the program's name, file or any, moment
   local go_on=() job victim= code=0 begin=$SECONDS state killed=no
-  [[ ! -f $out/killed/case/post/restart.1250 ]] || go_on=(--continue)
+  [[ ! -f $out/killed/case/post/restart.$((steps_per_ms/2)) ]] || go_on=(--continue)
   run "${options[@]}" --out "$out/killed" ${go_on[@]+"${go_on[@]}"} >"$out/log.killed" 2>&1 &
   job=$!
   while kill -0 $job 2>/dev/null; do
@@ -46,7 +48,7 @@ kill_in_run() {  # beginning of the program's name, file or any, moment
     if [[ -z $victim ]]; then
       :
     elif [[ $2 == any ]]; then
-      if [[ -f $out/killed/case/post/restart.1250 ]]; then
+      if [[ -f $out/killed/case/post/restart.$((steps_per_ms/2)) ]]; then
         sleep "$(printf '0.%03d' "$3")"
         break
       fi
@@ -86,6 +88,7 @@ kill_once() {  # beginning of the program's name, file or any
 rm -rf "$out"
 case $test in
   one_rank) run --end-time 0.003 ;;
+  assumed) run --end-time 0.003 --inputs assumed --case B ;;
   two_ranks) run --end-time 0.002 --ranks 2 --dem-ranks 2 ;;
   socket)
     options=(--end-time 0.002)
@@ -103,6 +106,9 @@ case $test in
     run "${options[@]}" --end-time 0.002 --out "$out/stopped" --continue
     same_run "$out/stopped"
     [[ $test == continued ]] || exit 0
+    code=0
+    run --end-time 0.002 --out "$out/stopped" --continue --set friction=0.3 >"$out/refused" 2>&1 || code=$?
+    [[ $code == 1 ]] && grep -q 'a run keeps its inputs' "$out/refused" || fail "other inputs in a continued run"
     # New particles beside the fields of 2 ms.
     cd "$out/stopped/case"
     export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
@@ -123,7 +129,7 @@ case $test in
     seed=${PIPE_TEST_SEED:-20241}
     echo "moments of PIPE_TEST_SEED=$seed"
     RANDOM=$seed
-    for round in powderFoam/0.001 powderFoam/0.001 liggghts/post/restart.3750 powderFoam/any liggghts/any; do
+    for round in powderFoam/0.001 powderFoam/0.001 liggghts/post/restart.$((3*steps_per_ms/2)) powderFoam/any liggghts/any; do
       kill_once "${round%%/*}" "${round#*/}"
     done
     run "${options[@]}" --out "$out/killed" --continue
@@ -141,7 +147,7 @@ case $test in
     chmod +x "$out/bin/powderFoam"
     POWDERLINK_BIN=$out/bin run "${options[@]}" --out "$out/killed" >"$out/log.killed" 2>&1 &
     job=$! begin=$SECONDS victim= code=0
-    until [[ -f $out/killed/case/post/restart.1250 ]]; do
+    until [[ -f $out/killed/case/post/restart.$((steps_per_ms/2)) ]]; do
       [[ -n $victim ]] || find_victim powderFoam
       ((SECONDS < begin + 60)) || fail "no pair of checkpoints within 60 s"
       sleep 0.002
@@ -152,7 +158,7 @@ case $test in
     [[ $code != 0 && $code != 124 ]] || fail "full disk: status $code"
     cd "$out/killed/case"
     grep -q 'the disk did not take the whole file' log.powderFoam || fail "full disk: no clear error"
-    "$POWDERLINK_BIN/powderlink" restart . --dt 4e-7 --json "$out/pair.json" 2>"$out/refused" ||
+    "$POWDERLINK_BIN/powderlink" restart . --dt 5e-7 --json "$out/pair.json" 2>"$out/refused" ||
       fail "full disk: no pair is left"
     grep -qE 'later, but of no use: fields of time 0\.00(1|15|2):' "$out/refused" ||
       fail "full disk: all fields are whole"

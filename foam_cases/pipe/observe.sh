@@ -1,0 +1,67 @@
+#!/usr/bin/env bash
+# observe.sh CASE FROM PLACE WINDOW POWDERLINK: one line of a run's developed part, from the time FROM [s]
+# on and beyond PLACE [m], rms of the solids flow after a moving average of WINDOW [s]:
+#   grains,+-,velocity_m_s,+-,velocity_std_m_s,slope_Pa_m,+-,rms_percent,+-,front_m
+# +-: half of a 95 % interval of the mean, from the means of five blocks of time; of the rms: 1.96 standard
+# errors of K = T/WINDOW independent windows, rms/sqrt(2 K). Blocks shorter than the time that grains
+# stay hang together: then the interval is too narrow rather than too wide.
+# front: where the mean velocity has fallen half way from its highest to that of the developed part; none
+# ("-") where it does not fall, or by less than a fifth.
+set -euo pipefail
+here=$(cd "$(dirname "$0")" && pwd)
+case=$1 from=$2 place=$3 window=$4 powderlink=$5
+out=$case/flow
+density=1.6355  # kg/m3, as in constant/transportProperties
+mkdir -p "$out"
+"$powderlink" flow "$case" --from "$from" --from-z "$place" --average "$window" --no-figures \
+  --out "$out" --json "$out/flow.json" >"$out/log" 2>&1 || { cat "$out/log" >&2; exit 1; }
+number() { sed -n -E "s/^ *\"$1\": ([-+0-9.e]+),?\$/\1/p" "$out/flow.json"; }
+
+# Lines of time and value, in the order of time. Student's t of four degrees of freedom: 2.776.
+half_interval() {
+  awk -v from="$from" '
+    $1 > from - 1e-9 { t[++n] = $1; x[n] = $2 }
+    END {
+      blocks = 5
+      if (n < blocks) { print "-"; exit }
+      for (i = 1; i <= n; i++) { b = int((i - 1)*blocks/n); sum[b] += x[i]; count[b]++ }
+      for (b = 0; b < blocks; b++) mean += sum[b]/count[b]/blocks
+      for (b = 0; b < blocks; b++) square += (sum[b]/count[b] - mean)^2/(blocks - 1)
+      printf "%.4g\n", 2.776*sqrt(square/blocks)
+    }'
+}
+
+grains=$(awk -F, 'NR > 1 { print $1, $3 }' "$case/post/particle_count.csv" | half_interval)
+dt=$(awk '$2 == "dt" { gsub(/"/, ""); print $4 }' "$case/in.inputs")
+velocity=$(find "$case/post" -name 'particles_*.dump' | sort -V | xargs awk -v dt="$dt" -v place="$place" '
+  function line() { if (n) printf "%.9g %.9g\n", step*dt, sum/n; n = sum = 0 }
+  /^ITEM: TIMESTEP/ { line(); getline step; rows = 0; next }
+  /^ITEM: ATOMS/ { for (i = 3; i <= NF; i++) { if ($i == "z") z = i - 2; if ($i == "vz") v = i - 2 } rows = 1; next }
+  rows && $z >= place { n++; sum += $v }
+  END { line() }' | half_interval)
+slope=$(cd "$case" && find postProcessing/axis -name p | LC_ALL=C sort -t/ -k3,3g |
+  xargs awk -v density="$density" -v from="$(awk "BEGIN { print 0.999*$place }")" -f "$here/slope.awk" |
+  sort -g -u -k1,1 | half_interval)
+rms=$(number solids_flow_rms_percent)
+last=$(awk -F, 'END { print $1 }' "$case/post/particle_count.csv")
+rms_half=$(awk -v rms="$rms" -v t="$from" -v end="$last" -v w="$window" \
+  'BEGIN { if (rms == "") print "-"; else printf "%.3g", 1.96*rms/sqrt(2*(end - t)/w) }')
+# The developed part counts as one; upstream of it ten slices at a time, weighted by their grains.
+front=$(awk -F, -v place="$place" '
+  $1 ~ /^[0-9]/ && $2 > 0 { z[++n] = $1; c[n] = $2; v[n] = $3; if ($1 >= place) { count += $2; developed += $2*$3 } }
+  END {
+    if (count) developed /= count
+    for (i = 1; i + 9 <= n; i++) {
+      m = mv = 0
+      for (k = i; k < i + 10; k++) { m += c[k]; mv += c[k]*v[k] }
+      smooth[i] = mv/m; middle[i] = (z[i] + z[i + 9])/2; last = i
+      if (smooth[i] > most) { most = smooth[i]; top = i }
+    }
+    half = (most + developed)/2
+    if (count && developed < 0.8*most)
+      for (i = top; i <= last; i++) if (smooth[i] < half) { printf "%.4f", middle[i]; exit }
+    print "-"
+  }' "$out/velocity.csv")
+printf '%s,%s,%s,%s,%s,%s,%s,%s,%s,%s\n' "$(number particle_count)" "$grains" \
+  "$(number particle_velocity_mean_m_s)" "$velocity" "$(number particle_velocity_std_m_s)" \
+  "$(number pressure_slope_Pa_m)" "$slope" "${rms:--}" "$rms_half" "$front"
