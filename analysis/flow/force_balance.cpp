@@ -217,6 +217,7 @@ class ForceBalance : public FlowObservable {
       found.numbers.push_back({fmt::format("force_balance_{}_N", term.key), term.force_N});
     }
     found.tables.emplace_back("force_balance.csv", csv);
+    found.figures.push_back({"force_balance", "", ""});
     found.text = table.text();
   }
 

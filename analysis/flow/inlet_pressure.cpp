@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// Pressure at the inlet over time, and its elbow: where it stops to rise as the channel fills
-/// (elbow.h). The whole record counts, not only the established part.
+/// (elbow.h). The whole record counts, not only the established part. The elbow is that of medians
+/// over half a window of averages: grains that appear all at once displace gas, which answers with a
+/// stroke of pressure that is no flow.
 ///   p = rho <p_kin>_inlet, of the function object inletPressure (surfaceFieldValue, areaAverage)
 #include <fmt/format.h>
+
+#include <boost/math/statistics/univariate_statistics.hpp>
+#include <cmath>
 
 #include "analysis/flow/elbow.h"
 #include "analysis/flow/flow_observables.h"
@@ -11,6 +16,26 @@
 namespace powderlink::analysis {
 
 namespace {
+
+constexpr double kBlock = 0.5;  // of the window of averages
+
+/// Medians of blocks of rows, at the means of their times.
+void median_blocks(const std::vector<double>& times, const std::vector<double>& values,
+                   double block, std::vector<double>& block_times,
+                   std::vector<double>& block_values) {
+  std::vector<double> own;
+  double sum = 0.0;
+  const auto number = [&](double time) { return std::floor((time - times.front()) / block); };
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    own.push_back(values[i]);
+    sum += times[i];
+    if (i + 1 < times.size() && number(times[i + 1]) == number(times[i])) continue;
+    block_times.push_back(sum / static_cast<double>(own.size()));
+    block_values.push_back(boost::math::statistics::median(own));
+    own.clear();
+    sum = 0.0;
+  }
+}
 
 class InletPressure : public FlowObservable {
  public:
@@ -34,7 +59,9 @@ class InletPressure : public FlowObservable {
     found.numbers.push_back(
         {"inlet_pressure_Pa",
          mean ? std::optional(*mean * *scene.gas_density_kg_m3) : std::nullopt});
-    const auto elbow = find_elbow(times_s, pressure_Pa);
+    std::vector<double> block_s, block_Pa;
+    median_blocks(times_s, pressure_Pa, kBlock * scene.measures.average_s, block_s, block_Pa);
+    const auto elbow = find_elbow(block_s, block_Pa);
     if (elbow) {
       found.numbers.push_back({"inlet_pressure_elbow_s", elbow->time, elbow->interval});
       found.numbers.push_back({"inlet_pressure_slope_before_Pa_s", elbow->slope_before});

@@ -4,7 +4,7 @@ set output output
 set datafile separator ","
 set xlabel "window of the average {/:Italic w} (ms)"
 set ylabel "RMS deviation of the flow (%)"
-set key top right
+set key bottom left reverse Left
 stats table using (1e3*column('window_s')) nooutput
 x_low = STATS_min; x_high = STATS_max
 stats table using 'high_percent' nooutput

@@ -15,5 +15,5 @@ set offsets graph 0.03, graph 0.03, 0, 0
 set key off
 shown(value, count) = count >= enough ? value : NaN
 plot table using (1e-3*column('share_1_m')):(1e3*column(up.'_m')) with lines linewidth 2 linecolor rgb attached_colour, \
-  table using (shown(column('velocity_mean_m_s'),column('count'))):(1e3*column(up.'_m')) axes x2y1 with points pointtype 6 pointsize 0.8 linewidth 1.6 linecolor rgb detached_colour
+  table using (shown(column('velocity_mean_m_s'),column('count'))):(1e3*column(up.'_m')) axes x2y1 with points pointtype 7 pointsize 0.7 linecolor rgb detached_colour
 set output

@@ -16,5 +16,5 @@ set offsets 0, 0, graph 0.05, 0
 set key off
 shown(value, count) = count >= enough ? value : NaN
 plot table using (1e3*column('r_m')):(1e-6*column('share_1_m2')) with lines linewidth 2 linecolor rgb attached_colour, \
-  table using (1e3*column('r_m')):(shown(column('velocity_mean_m_s'),column('count'))) axes x1y2 with points pointtype 6 pointsize 0.8 linewidth 1.6 linecolor rgb detached_colour
+  table using (1e3*column('r_m')):(shown(column('velocity_mean_m_s'),column('count'))) axes x1y2 with points pointtype 7 pointsize 0.7 linecolor rgb detached_colour
 set output
