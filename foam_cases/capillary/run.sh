@@ -55,9 +55,27 @@ powder_density=7980 # kg/m3
 dt=4e-7             # s, of LIGGGHTS, as in in.capillary
 most_share=0.2      # of the entry's volume: grains that come at random find a place
 pi=3.14159265358979
-setting() { foam_case_entry system/caseSettings "$1"; }
+radius=$(foam_case_entry system/caseSettings pipeRadius)
+pipe_length=$(foam_case_entry system/caseSettings pipeLength)
+mean_m_s() { calculate "$1/60000/($pi*$radius^2)"; }  # of the gas, flow [L/min]
 
-copy_case() {  # folder, inlet of the gas, its flow [L/min]; sets radius, pipe_length, gas_m_s
+powder=$("$native/make_powder.sh" 45 106 "$powder_density")
+grain() { awk -v name="$1" '$2 == name { print $4 }' <<<"$powder"; }
+rate=$(calculate "$powder_g_s*1e-3/$(grain grainMass)")
+check_powder() {  # flow
+  local share fastest entry=${entry_m_s:-$(mean_m_s "$1")}
+  # The feed of in.capillary: the section less a grain's radius at the wall.
+  share=$(calculate "$powder_g_s*1e-3/($powder_density*$entry*$pi*($radius - $(grain largestGrain))^2)")
+  holds "$share <= $most_share" || foam_case_fail "the powder does not fit into the entry" \
+    "$powder_g_s g/s at $entry m/s fill $share of its section" "at most $most_share, for grains placed at random" \
+    "lower --powder-flow, or raise --powder-velocity"
+  fastest=$(calculate "0.9*$(grain smallestGrain)/$dt")
+  holds "$entry < $fastest" || foam_case_fail "the powder is too fast for the time step of LIGGGHTS" \
+    "$entry m/s" "below $fastest m/s, 0.9 radii of the smallest grain in $dt s" "lower --powder-velocity"
+}
+for flow in "${powder_flows[@]}"; do check_powder "$flow"; done
+
+copy_case() {  # folder, inlet of the gas, its flow [L/min]; sets gas_m_s
   cd "$native"
   case_copy=$1 foam_case_copy
   # Mesh, solver and walls are those of the other pipes; the size is this one's.
@@ -67,8 +85,7 @@ copy_case() {  # folder, inlet of the gas, its flow [L/min]; sets radius, pipe_l
   cp "$native"/../pipe/0/p 0
   cp "$native"/../pipe/constant/g constant
   cp "system/inlet.$2" system/inlet
-  radius=$(setting pipeRadius) pipe_length=$(setting pipeLength)
-  gas_m_s=$(calculate "$3/60000/($pi*$radius^2)")
+  gas_m_s=$(mean_m_s "$3")
   foam_case_set system/caseSettings inletVelocity "$gas_m_s"
   foam_case_set system/functions functions/wallForce/rhoInf "$density"
   [[ -z $end_time ]] || foam_case_set system/caseSettings endTime "$end_time"
@@ -113,26 +130,16 @@ run_gas() {  # inlet, flow; adds a line to gas.csv
   fi
 }
 
-start_powder() {  # flow; sets entry [m/s], rate [1/s], end_s, dem_steps
-  local share fastest
+start_powder() {  # flow; sets entry [m/s], end_s, dem_steps
   copy_case "powder_$1" "$inlet" "$1"
   make_mesh
   foam_case_run mapFields "../gas_${inlet}_$1" -consistent -sourceTime latestTime
+  # Contacts with walls, and the outlet, are those of the pipe.
   cp "$native"/../pipe/in.contact.hertz .
   "$native"/../pipe/make_stl.sh stl
-  "$native"/make_powder.sh 45 106 "$powder_density" >in.powder
-  grain() { awk -v name="$1" '$2 == name { print $4 }' in.powder; }
+  echo "$powder" >in.powder
   entry=${entry_m_s:-$gas_m_s}
-  rate=$(calculate "$powder_g_s*1e-3/$(grain grainMass)")
-  # The feed of in.capillary: the section less a grain's radius at the wall.
-  share=$(calculate "$powder_g_s*1e-3/($powder_density*$entry*$pi*($radius - $(grain largestGrain))^2)")
-  holds "$share <= $most_share" || foam_case_fail "the powder does not fit into the entry" \
-    "$powder_g_s g/s at $entry m/s fill $share of its section" "at most $most_share, for grains placed at random" \
-    "lower --powder-flow, or raise --powder-velocity"
-  fastest=$(calculate "0.9*$(grain smallestGrain)/$dt")
-  holds "$entry < $fastest" || foam_case_fail "the powder is too fast for the time step of LIGGGHTS" \
-    "$entry m/s" "below $fastest m/s, 0.9 radii of the smallest grain in $dt s" "lower --powder-velocity"
-  end_s=$(setting endTime)
+  end_s=$(foam_case_entry system/caseSettings endTime)
   dem_steps=$(calculate "int($end_s/$dt + 0.5)")
 }
 

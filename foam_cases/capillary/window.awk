@@ -5,11 +5,16 @@
 # deviation of the grains, the same three of the height above the bottom [m], mass flow, sum(m v)/3 mm
 # [kg/s], its standard error. The errors are those of 20 blocks of frames, so that a grain that is seen
 # many times, and bunches of grains, count as they should.
-/^ITEM: TIMESTEP/ { rows = 0; getline; step = $1; seen = step >= from; if (seen) frames++; next }
+/^ITEM: TIMESTEP/ { rows = 0; getline; step = $1; seen = step >= from && step <= last
+  if (seen) {
+    b = int((step - from)/(last - from)*blocks); if (b == blocks) b--
+    time[b] += 0.003; frames++
+  }
+  next
+}
 /^ITEM: ATOMS/ { split("", column); for (i = 3; i <= NF; i++) column[$i] = i - 2; rows = 1; next }
 /^ITEM:/ { rows = 0; next }
 rows && seen {
-  b = int((step - from)/(last - from)*blocks); if (b == blocks) b--
   v = $column["vz"]; h = $column["y"] + radius
   n[b]++; sv[b] += v; sh[b] += h; flow[b] += $column["mass"]*v
   grains++; svv += v*v; shh += h*h
@@ -25,7 +30,6 @@ function ratio(top, bottom,  b, t, u, s, r) {
 BEGIN { blocks = 20 }
 END {
   if (!grains) exit 1
-  for (b = 0; b < blocks; b++) time[b] = 0.003*frames/blocks
   v = ratio(sv, n); v_error = error
   h = ratio(sh, n); h_error = error
   m = ratio(flow, time); m_error = error
