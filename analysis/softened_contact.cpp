@@ -93,8 +93,8 @@ std::vector<SoftenedQuantity> quantities_of(const SoftenedContactInput& in, cons
       models::spring_slider_dashpot_time_s(collision.radius_m, s.particle.density_kg_m3,
                                            s.effective_modulus_Pa, in.speed_m_s));
   add("greatest_overlap_um", "greatest overlap", "um", 1e6 * overlap);
-  add("greatest_overlap_of_diameter", "  of the diameter", "%", 50.0 * overlap / radius);
-  add("weight_speed_change", "speed by weight meanwhile, of the impact's", "%",
+  add("greatest_overlap_percent", "  of the diameter", "%", 50.0 * overlap / radius);
+  add("weight_speed_change_percent", "speed by weight meanwhile, of the impact's", "%",
       100.0 * kGravity_m_s2 * duration / in.speed_m_s);
   if (s.adhesive_energy_J_m2) {
     const JkrLaw jkr(s.effective_modulus_Pa, *s.adhesive_energy_J_m2);
@@ -135,10 +135,10 @@ std::vector<SoftenedError> errors_of(const std::vector<SoftenedQuantity>& quanti
   add("time_step_factor", "{:.4g} times the time step", ratio("time_step_s"));
   add("collision_time_factor", "a collision lasts {:.4g} times as long", ratio("collision_time_s"));
   add("overlap_percent_of_diameter", "a grain sinks in deeper by {:.3g} % of its diameter",
-      change("greatest_overlap_of_diameter"));
+      change("greatest_overlap_percent"));
   add("weight_speed_percent",
       "weight changes the speed in a collision by {:.2g} % of the impact's more",
-      change("weight_speed_change"));
+      change("weight_speed_change_percent"));
   if (find("adhesive_energy_J_m2") != nullptr) {
     add("sticking_speed_percent",
         "with Gamma lowered as above the speed of sticking changes by {:.1g} %",
@@ -147,6 +147,13 @@ std::vector<SoftenedError> errors_of(const std::vector<SoftenedQuantity>& quanti
         "with Gamma as it was it would be {:.3g} times as high", std::cbrt(1.0 / factor));
     add("pull_off_factor", "pull-off, the static force of adhesion, is {:.3g} of the real one",
         ratio("pull_off_N"));
+    const SoftenedQuantity& tabor = *find("tabor_parameter");
+    e.push_back(
+        {"tabor_factor",
+         fmt::format("the theory of adhesion that holds: {} at the real modulus, {} at the "
+                     "lowered one",
+                     models::adhesion_theory(tabor.real), models::adhesion_theory(*tabor.softened)),
+         ratio("tabor_parameter")});
   }
   return e;
 }

@@ -134,9 +134,9 @@ start_powder() {  # flow; sets entry [m/s], end_s, dem_steps
   copy_case "powder_$1" "$inlet" "$1"
   make_mesh
   foam_case_run mapFields "../gas_${inlet}_$1" -consistent -sourceTime latestTime
-  # Contacts with walls, and the outlet, are those of the pipe.
+  # Contacts with walls, and the outlet, are those of the pipe; its points of injection are not used.
   cp "$native"/../pipe/in.contact.hertz .
-  "$native"/../pipe/make_stl.sh stl
+  "$native"/../pipe/make_stl.sh stl 9e-4 1.2e-4
   echo "$powder" >in.powder
   entry=${entry_m_s:-$gas_m_s}
   end_s=$(foam_case_entry system/caseSettings endTime)
@@ -149,10 +149,12 @@ run_powder() {  # flow; adds a line to window.csv
   foam_case_couple in.capillary -var length "$pipe_length" -var rate "$rate" -var inletSpeed "$entry" \
     -var steps "$dem_steps"
   foam_case_grain_steps "$dt" post/particles_*.dump
-  missing=$(awk -F, 'NR > 1 { m = $5 < 0 ? -$5 : $5; if (m > most) most = m } END { print (NR > 1 ? most + 0 : "none") }' $counts)
+  missing=$(awk -F, 'NR > 1 { m = $5 < 0 ? -$5 : $5; if (m > most) most = m }
+    END { print (NR > 1 ? most + 0 : "none") }' $counts)
   foam_case_result "particles_missing_$1" 1 "$missing" 0 0 "inserted = inside + escaped, at every 100 us"
   lines=$(awk 'END { print NR - 1 }' $counts)
-  foam_case_result "counts_written_$1" 1 "$lines" "$(calculate "int($end_s/1e-4 + 0.5)")" 0 "a line at every 100 us"
+  foam_case_result "counts_written_$1" 1 "$lines" "$(calculate "int($end_s/1e-4 + 0.5)")" 0 \
+    "a line at every 100 us"
   injected=$(awk -F, 'END { print $2 }' $counts)
   # Each insertion rounds a number at random: less scatter than that of as many independent grains.
   foam_case_result "injection_rate_$1" 1/s "$(calculate "$injected/$end_s")" "$rate" \
@@ -171,12 +173,15 @@ run_powder() {  # flow; adds a line to window.csv
 
 mkdir -p "$out"
 rm -rf "$out/mesh"
-echo "flow_L_min,inlet,velocity_m_s,reynolds,entrance_length_m,hagen_poiseuille_Pa_m,slope_Pa_m,window_slope_Pa_m,drop_Pa,entrance_loss_Pa,shah_entrance_loss_Pa" >"$out/gas.csv"
+printf '%s,' flow_L_min inlet velocity_m_s reynolds entrance_length_m hagen_poiseuille_Pa_m slope_Pa_m \
+  window_slope_Pa_m drop_Pa entrance_loss_Pa | sed 's/$/shah_entrance_loss_Pa\n/' >"$out/gas.csv"
 for flow in "${flows[@]}"; do
   for kind in parabolic plug; do run_gas "$kind" "$flow"; done
 done
 column -s, -t "$out/gas.csv"
-echo "flow_L_min,gas_m_s,entry_m_s,rate_1_s,frames,grains_per_frame,velocity_mean_m_s,velocity_mean_error_m_s,velocity_std_m_s,height_mean_m,height_mean_error_m,height_std_m,mass_flow_kg_s,mass_flow_error_kg_s,fed_kg_s" >"$out/window.csv"
+printf '%s,' flow_L_min gas_m_s entry_m_s rate_1_s frames grains_per_frame velocity_mean_m_s \
+  velocity_mean_error_m_s velocity_std_m_s height_mean_m height_mean_error_m height_std_m mass_flow_kg_s \
+  mass_flow_error_kg_s | sed 's/$/fed_kg_s\n/' >"$out/window.csv"
 for flow in "${powder_flows[@]}"; do run_powder "$flow"; done
 column -s, -t "$out/window.csv"
 foam_case_write capillary

@@ -30,7 +30,7 @@ TEST(ContactCommand, PrintsAndStoresWhatALoweredModulusChanges) {
   const auto j = nlohmann::json::parse(read_file(file));
   EXPECT_NEAR(j.at("restitution").get<double>(), 0.8446, 5e-5);
   // Undamped it is 4.7 % deep.
-  EXPECT_NEAR(j.at("softened").at("greatest_overlap_of_diameter").get<double>(), 4.4, 0.1);
+  EXPECT_NEAR(j.at("softened").at("greatest_overlap_percent").get<double>(), 4.4, 0.1);
   EXPECT_NEAR(j.at("change").at("time_step_factor").get<double>(), 100.0, 1e-9);
   EXPECT_EQ(j.at("substrate"), "316L");
 }

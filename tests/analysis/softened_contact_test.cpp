@@ -60,6 +60,7 @@ TEST(SoftenedContact, ScalesWithTheModulus) {
   EXPECT_NEAR(factor(c, "sticking_speed_m_s"), 1.0, kTearOff);
   EXPECT_NEAR(changed(c, "pull_off_factor"), 1 / lambda, kRounding);
   EXPECT_NEAR(changed(c, "sticking_speed_percent"), 0.0, 100 * kTearOff);
+  EXPECT_NEAR(changed(c, "tabor_factor"), lambda, kRounding * lambda);
   // With Gamma unchanged, by a contact of its own: the energy given for the softened one.
   SoftenedContactInput unchanged = in;
   unchanged.particle.youngs_modulus_Pa = unchanged.substrate->youngs_modulus_Pa = 2.11e7;
@@ -68,8 +69,8 @@ TEST(SoftenedContact, ScalesWithTheModulus) {
                   find(c, "sticking_speed_m_s").real,
               changed(c, "sticking_speed_factor_unchanged_adhesion"), 1e-6);
   EXPECT_NEAR(changed(c, "overlap_percent_of_diameter"),
-              find(c, "greatest_overlap_of_diameter").softened.value() -
-                  find(c, "greatest_overlap_of_diameter").real,
+              find(c, "greatest_overlap_percent").softened.value() -
+                  find(c, "greatest_overlap_percent").real,
               kRounding);
 }
 
