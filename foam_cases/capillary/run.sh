@@ -130,7 +130,7 @@ run_gas() {  # inlet, flow; adds a line to gas.csv
   fi
 }
 
-start_powder() {  # flow; sets entry [m/s], end_s, dem_steps
+start_powder() {  # flow; sets entry [m/s], end_s, dem_steps, every: steps from exchange to exchange
   copy_case "powder_$1" "$inlet" "$1"
   make_mesh
   foam_case_run mapFields "../gas_${inlet}_$1" -consistent -sourceTime latestTime
@@ -141,13 +141,14 @@ start_powder() {  # flow; sets entry [m/s], end_s, dem_steps
   entry=${entry_m_s:-$gas_m_s}
   end_s=$(foam_case_entry system/caseSettings endTime)
   dem_steps=$(calculate "int($end_s/$dt + 0.5)")
+  every=$(calculate "int($(foam_case_entry system/caseSettings deltaT)/$dt + 0.5)")
 }
 
 run_powder() {  # flow; adds a line to window.csv
   local missing lines injected counts=post/particle_count.csv seen flow_kg_s flow_error fed
   start_powder "$1"
   foam_case_couple in.capillary -var length "$pipe_length" -var rate "$rate" -var inletSpeed "$entry" \
-    -var steps "$dem_steps"
+    -var every "$every" -var steps "$dem_steps"
   foam_case_grain_steps "$dt" post/particles_*.dump
   missing=$(awk -F, 'NR > 1 { m = $5 < 0 ? -$5 : $5; if (m > most) most = m }
     END { print (NR > 1 ? most + 0 : "none") }' $counts)

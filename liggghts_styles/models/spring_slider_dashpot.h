@@ -22,7 +22,8 @@
 /// Validity: exponent b = 1.5, no cohesionEnergyDensity, 0 <= alpha < sqrt 5; beyond, grains do not
 /// part.
 /// Source: Y. Tsuji et al., Powder Technol. 71 (1992) 239; D. Antypov and J. A. Elliott, EPL 94
-/// (2011) 50004 (the oscillator); PairSpringSliderDashpot.C, WallSpringSliderDashpot.C of OpenFOAM.
+/// (2011) 50004 (the oscillator); PairSpringSliderDashpot.C, WallSpringSliderDashpot.C of OpenFOAM
+/// v1912.
 /// Tests: tests/models/collision_test.cpp
 #pragma once
 
