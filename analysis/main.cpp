@@ -28,6 +28,7 @@ int run(int argc, char** argv) {
   analysis::add_kat_analyse_command(*kat);
   analysis::add_kat_device_command(*kat);
   analysis::add_compare_command(app);
+  analysis::add_contact_command(app);
   analysis::add_diagnose_command(app);
   analysis::add_add_command(app);
   analysis::add_effects_command(app);

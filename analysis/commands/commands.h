@@ -16,6 +16,7 @@ void add_kat_run_command(CLI::App& kat);
 void add_kat_device_command(CLI::App& kat);
 void add_add_command(CLI::App& app);
 void add_compare_command(CLI::App& app);
+void add_contact_command(CLI::App& app);
 void add_diagnose_command(CLI::App& app);
 void add_effects_command(CLI::App& app);
 void add_flow_command(CLI::App& app);
