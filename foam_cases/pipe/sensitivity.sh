@@ -76,6 +76,7 @@ finish() {
   local pid
   rm -f "$powder"
   for pid in ${pids[@]+"${pids[@]}"}; do kill -TERM -- "-$pid" 2>/dev/null || true; done
+  wait || true
 }
 trap finish EXIT
 trap 'exit 130' INT TERM

@@ -10,10 +10,11 @@ fail() {
 }
 rm -rf "$out"
 mkdir -p "$out"
-sensitivity() { "$case/sensitivity.sh" --short --only friction,all --out "$out/table" "$@"; }
+# Called without a function around it, so that a job is the script itself.
+sensitivity=("$case/sensitivity.sh" --short --only friction,all --out "$out/table")
 
 # One at a time: base, friction, all.
-sensitivity --jobs 1 >"$out/log.first" 2>&1 &
+"${sensitivity[@]}" --jobs 1 >"$out/log.first" 2>&1 &
 job=$! begin=$SECONDS
 trap 'kill $job 2>/dev/null || true' EXIT
 until [[ -f $out/table/all/case/post/restart.3000 ]]; do
@@ -30,11 +31,11 @@ kept=$(stat -c %y "$out"/table/{base,friction}/results.json "$out"/table/{base,f
 
 # Another set of runs has no place beside them.
 code=0
-sensitivity --base source >"$out/refused" 2>&1 || code=$?
+"${sensitivity[@]}" --base source >"$out/refused" 2>&1 || code=$?
 [[ $code == 1 ]] && grep -q 'the folder holds runs of other options; given: .*; allowed: .*; to do: ' "$out/refused" ||
   fail "runs of another base in one folder"
 
-timeout $limit_s "$case/sensitivity.sh" --short --only friction,all --out "$out/table" >"$out/log.second" 2>&1 ||
+timeout $limit_s "${sensitivity[@]}" >"$out/log.second" 2>&1 ||
   fail "second call: $(tail -n 3 "$out/log.second")"
 [[ $kept == "$(stat -c %y "$out"/table/{base,friction}/results.json "$out"/table/{base,friction}/observed.csv)" ]] ||
   fail "a run that had ended was run again"
@@ -47,7 +48,7 @@ cd "$out/table"
 # Grains of the table are those of the run's own counts, to the change within its dumps.
 awk -F, '
   FILENAME == "sensitivity.csv" { if ($1 == "friction") grains = $5; next }
-  $1 > 0.003 - 1e-9 { sum += $3; n++ }
+  FNR > 1 && $1 > 0.003 - 1e-9 { sum += $3; n++ }
   END { mean = sum/n; exit !(mean > 100 && (grains/mean - 1)^2 < 0.01^2) }' sensitivity.csv friction/case/post/particle_count.csv ||
   fail "grains of the table"
 [[ $(diff base/case/in.inputs friction/case/in.inputs | awk '/^[<>]/ { print $3, $5 }' | xargs) == "friction 0.3 friction 0.52" ]] ||
