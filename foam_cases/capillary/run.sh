@@ -134,8 +134,9 @@ start_powder() {  # flow; sets entry [m/s], end_s, dem_steps, every: steps from 
   copy_case "powder_$1" "$inlet" "$1"
   make_mesh
   foam_case_run mapFields "../gas_${inlet}_$1" -consistent -sourceTime latestTime
-  # Contacts with walls, and the outlet, are those of the pipe; its points of injection are not used.
-  cp "$native"/../pipe/in.contact.hertz .
+  # Contacts with walls, sums of forces and the outlet are those of the pipe; its points of injection are
+  # not used.
+  cp "$native"/../pipe/in.{contact.hertz,forces} .
   "$native"/../pipe/make_stl.sh stl 9e-4 1.2e-4
   echo "$powder" >in.powder
   entry=${entry_m_s:-$gas_m_s}
