@@ -73,11 +73,11 @@ class InletPressure : public FlowObservable {
     } else {
       found.numbers.push_back({"inlet_pressure_elbow_s", std::nullopt});
       found.notes.emplace_back(
-          "no elbow in the pressure at the inlet: two lines fit it no better than one");
+          "no elbow in the pressure at the inlet: straight pieces that meet fit it no better than one line");
     }
     std::string text =
         elbow ? fmt::format(
-                    "# two lines that meet at {:.9g} s, 95 % {:.9g} to "
+                    "# straight pieces that meet, the elbow at {:.9g} s, 95 % {:.9g} to "
                     "{:.9g} s, from {:.0f} independent rows\n",
                     elbow->time, elbow->interval.from, elbow->interval.to, elbow->independent_rows)
               : "";
