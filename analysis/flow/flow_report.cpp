@@ -165,6 +165,9 @@ void judge_particles(FlowReport& report) {
 }
 
 void read_gas(const fs::path& folder, FlowReport& report) {
+  if (report.options.density_kg_m3) {
+    report.gas_density_kg_m3 = gas_density_kg_m3(folder, report.options.density_kg_m3);
+  }
   const std::vector<std::string> sets = pressure_probe_sets(folder);
   if (sets.empty() && report.options.probes.empty()) {
     report.notes.push_back(

@@ -19,7 +19,7 @@ namespace {
 namespace acc = boost::accumulators;
 
 constexpr std::size_t kBins = 25;
-constexpr std::uint64_t kEnough = 20;  // grains, for a mean that is drawn
+constexpr std::size_t kEnough = 20;  // grains, for a mean that is drawn
 
 using Bins = std::vector<SliceProfile::Moments>;
 
@@ -29,6 +29,13 @@ std::string row(double place_m, const SliceProfile::Moments& bin, double share) 
       "{:.6g},{},{:.6g},{},{}\n", place_m, acc::count(bin), share,
       some ? fmt::format("{:.6g}", acc::mean(bin)) : "",
       some ? fmt::format("{:.6g}", std::sqrt(std::max(0.0, acc::variance(bin)))) : "");
+}
+
+std::string why_not(const Bins& bins) {
+  const auto full = std::count_if(bins.begin(), bins.end(),
+                                  [](const auto& bin) { return acc::count(bin) >= kEnough; });
+  if (full >= 2) return "";
+  return fmt::format("fewer than two parts of the section hold {} particles or more", kEnough);
 }
 
 class SectionProfiles : public FlowObservable {
@@ -74,10 +81,8 @@ class SectionProfiles : public FlowObservable {
     }
     found.tables.emplace_back("section_height.csv", heights);
     found.tables.emplace_back("section_radius.csv", radii);
-    const std::string why =
-        all_ > kEnough ? "" : fmt::format("{} grains in the part that counts", all_);
-    found.figures.push_back({"section_height", "", why});
-    found.figures.push_back({"section_radius", "", why});
+    found.figures.push_back({"section_height", "", why_not(height_)});
+    found.figures.push_back({"section_radius", "", why_not(radius_)});
     return found;
   }
 

@@ -6,7 +6,7 @@ set xlabel "time {/:Italic t} (ms)"
 set ylabel "front {/:Italic ".axis."} (mm)"
 set key off
 set autoscale xfix
-set yrange [0 : *]
+set yrange [* < 0 : 0 < *]
 set offsets 0, 0, graph 0.08, 0
 plot table using (1e3*column('time_s')):(1e3*column(axis.'_m')) with linespoints linestyle 3
 set output

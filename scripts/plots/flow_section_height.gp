@@ -10,7 +10,7 @@ set xtics nomirror
 set x2tics
 set autoscale yfix
 set xrange [0 : *]
-set x2range [0 : *]
+set x2range [* < 0 : 0 < *]
 set offsets graph 0.03, graph 0.03, 0, 0
 set key off
 shown(value, count) = count >= enough ? value : NaN

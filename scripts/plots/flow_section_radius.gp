@@ -11,7 +11,7 @@ set y2tics
 set xrange [0 : *]
 set autoscale xfixmax
 set yrange [0 : *]
-set y2range [0 : *]
+set y2range [* < 0 : 0 < *]
 set offsets 0, 0, graph 0.05, 0
 set key off
 shown(value, count) = count >= enough ? value : NaN

@@ -34,9 +34,8 @@ TEST(FlowCommand, WritesTablesFiguresAndTheseNumbersFirst) {
   EXPECT_NEAR(found["solids_flow_kg_s"].get<double>(), kStreamFlow_kg_s, 1e-12);
   EXPECT_EQ(found["particle_count"], kStreamParticles);
   const bool gnuplot = std::system("command -v gnuplot >/dev/null 2>&1") == 0;
-  for (const char* name :
-       {"pressure", "solids_flow", "height", "velocity", "width", "concentration",
-        "section_height", "section_radius", "envelope"}) {
+  for (const char* name : {"pressure", "solids_flow", "height", "velocity", "width",
+                           "concentration", "section_height", "section_radius", "envelope"}) {
     const auto base = folder.path() / "flow" / name;
     EXPECT_TRUE(std::filesystem::exists(base.string() + ".csv")) << name;
     if (gnuplot) {
@@ -112,7 +111,8 @@ TEST(FlowCommand, FewGrainsOrNoneOrOneDump) {
       EXPECT_EQ(result.err.find(word), std::string::npos) << run.name << ": " << result.err;
       EXPECT_EQ(result.out.find(word), std::string::npos) << run.name << ": " << result.out;
     }
-    for (const char* name : {"solids_flow", "height", "velocity", "width", "concentration"}) {
+    for (const char* name : {"solids_flow", "height", "velocity", "width", "concentration",
+                             "section_height", "section_radius", "envelope"}) {
       const auto base = folder.path() / "flow" / name;
       EXPECT_TRUE(std::filesystem::exists(base.string() + ".csv")) << run.name << name;
       const bool drawn = std::filesystem::exists(base.string() + ".svg");

@@ -25,6 +25,11 @@ same_run() {  # folder
     fail "grains differ"
   cmp "$out/case/post/particle_count.csv" "$1/case/post/particle_count.csv" || fail "counts differ"
 }
+# What fix ave/spatial wrote by parts is what it wrote at once.
+same_forces() {  # folder
+  cmp <(sed '/^#/d' "$1"/case/post/powder_forces_{0,[1-9]*}.txt) \
+    <(sed '/^#/d' "$out/case/post/powder_forces_0.txt") || fail "forces along the pipe differ"
+}
 # Sets victim to a process of this case, by the beginning of its name; without a fork, so quickly.
 find_victim() {
   local process name
@@ -104,14 +109,12 @@ case $test in
     run "${options[@]}" --end-time 0.002
     run "${options[@]}" --end-time $stop --out "$out/stopped"
     run "${options[@]}" --end-time 0.002 --out "$out/stopped" --continue
+    [[ $test != continued ]] || same_forces "$out/stopped"
     same_run "$out/stopped"
     [[ $test == continued ]] || exit 0
     code=0
     run --end-time 0.002 --out "$out/stopped" --continue --set friction=0.3 >"$out/refused" 2>&1 || code=$?
     [[ $code == 1 ]] && grep -q 'a run keeps its inputs' "$out/refused" || fail "other inputs in a continued run"
-    # What fix ave/spatial wrote by parts is what it wrote at once.
-    cmp <(sed '/^#/d' "$out"/stopped/case/post/powder_forces_{0,[1-9]*}.txt) \
-      <(sed '/^#/d' "$out/case/post/powder_forces_0.txt") || fail "forces along the pipe differ"
     # New particles beside the fields of 2 ms.
     cd "$out/stopped/case"
     export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
