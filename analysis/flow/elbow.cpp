@@ -39,9 +39,7 @@ class Pieces {
     return design(bends).colPivHouseholderQr().solve(p_);
   }
 
-  Eigen::VectorXd residuals(const Bends& bends) const {
-    return p_ - design(bends) * parts(bends);
-  }
+  Eigen::VectorXd residuals(const Bends& bends) const { return p_ - design(bends) * parts(bends); }
 
   double squares(const Bends& bends) const { return residuals(bends).squaredNorm(); }
 
@@ -145,8 +143,7 @@ struct Fit {
 /// Outwards from the elbow, the other bend at its best, linear between the last two places.
 double bound(const Pieces& pieces, const Fit& fit, std::size_t elbow, int way) {
   const boost::math::fisher_f ratio(1.0, fit.freedom);
-  const double limit =
-      fit.squares * (1.0 + quantile(complement(ratio, kOutside)) / fit.freedom);
+  const double limit = fit.squares * (1.0 + quantile(complement(ratio, kOutside)) / fit.freedom);
   const double low = elbow == 0 ? 0.0 : fit.bends[elbow - 1];
   const double high = elbow + 1 == fit.bends.size() ? 1.0 : fit.bends[elbow + 1];
   const double step = (1.0 - 2.0 * kMargin) / kGrid / 8.0;
