@@ -73,7 +73,8 @@ class InletPressure : public FlowObservable {
     } else {
       found.numbers.push_back({"inlet_pressure_elbow_s", std::nullopt});
       found.notes.emplace_back(
-          "no elbow in the pressure at the inlet: straight pieces that meet fit it no better than one line");
+          "no elbow in the pressure at the inlet: straight pieces that meet fit it no better than "
+          "one line");
     }
     std::string text =
         elbow ? fmt::format(
