@@ -398,7 +398,7 @@ TEST(FlowObservables, FrontIsHalfWay) {
     const FlowReport report = analyse_flow(folder.path(), options);
     // v falls to 6 m/s at s = 0.45; a bin of 0.01 averages the corners at 0.4 and 0.5 only.
     EXPECT_NEAR(number_in(report, "front_m"), way > 0 ? 0.45 : 0.55, 1e-4);
-    const std::string& envelope = table_in(flow_tables(report), "envelope.csv");
+    const std::string envelope = table_in(flow_tables(report), "envelope.csv");
     EXPECT_NE(envelope.find("0.995,200,-0.0001,0.0001"), std::string::npos) << envelope;
   }
   const TestFolder folder;
