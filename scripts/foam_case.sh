@@ -27,6 +27,7 @@ foam_case_bin=${POWDERLINK_BIN:-$foam_case_root/build/bin}
 foam_case_limit_s=${POWDERLINK_CASE_LIMIT_S:-3600}
 foam_case_peer_limit_s=15  # after one program of a coupled job has failed, for the other one
 foam_case_kill_after_s=10
+foam_case_programs_end_s=30  # for those of a run that was ended
 . "$foam_case_root/scripts/case_results.sh"
 if [[ -z ${WM_PROJECT_DIR:-} && -d /usr/share/openfoam/etc ]]; then
   export WM_PROJECT_DIR=/usr/share/openfoam
@@ -80,11 +81,21 @@ foam_case_need() {  # program
     "a folder with $1" "build it: scripts/build.sh release programs; or set POWDERLINK_BIN"
 }
 
+# The programs of a coupled job hold a lock in its folder as long as they live. mpirun leaves them behind,
+# at work, when it gets two signals within 5 s: what then removed or continued the run would mix with them.
+foam_case_wait_for_programs() {  # folder
+  local lock=$1/.programs.lock
+  [[ ! -e $lock ]] || flock --timeout "$foam_case_programs_end_s" "$lock" true ||
+    foam_case_fail "programs of an earlier run are still at work" "$1, $foam_case_programs_end_s s" \
+      "a folder in which nothing runs" "wait for them, or end them: fuser $lock names them"
+}
+
 foam_case_copy() {
   local from=${1:-.} folder=$out/${case_copy:-case} script
   # A run's folder is made anew; what is none must not vanish.
   [[ ! -e $folder || -f $folder/system/controlDict ]] || foam_case_fail "the folder of the run is in use" \
     "$folder" "a folder that does not exist, or of an earlier run" "give another --out, or move it away"
+  foam_case_wait_for_programs "$folder"
   rm -rf "$folder"
   mkdir -p "$folder"
   cp -r "$from"/{0,constant,system} "$folder"
@@ -169,8 +180,10 @@ foam_case_coupled_failed() {  # how it ended
 foam_case_couple() {
   local script=$1 start status=0 dem_status=0
   shift
-  local dem=("$foam_case_bin/liggghts-powderlink" -in "$script" -var transport "$transport" "$@")
-  local solver=("$foam_case_bin/powderFoam")
+  # See foam_case_wait_for_programs.
+  local hold=(bash -c 'exec 8>>.programs.lock; flock --shared --timeout 10 8 && exec "$@"' hold)
+  local dem=("${hold[@]}" "$foam_case_bin/liggghts-powderlink" -in "$script" -var transport "$transport" "$@")
+  local solver=("${hold[@]}" "$foam_case_bin/powderFoam")
   local limit=(timeout --foreground --kill-after="$foam_case_kill_after_s" "$foam_case_limit_s")
   # Each program writes a log of its own; all ranks append, only the first one has much to say.
   local to_log='log=$1; shift; exec "$@" >>"$log" 2>&1'

@@ -109,6 +109,7 @@ if [[ $go_on == yes ]]; then
   foam_case_need powderlink
   [[ -d $out/case/post ]] || foam_case_fail "there is no run to continue" "$out/case" \
     "a folder in which run.sh has run" "leave --continue out, or correct --out"
+  foam_case_wait_for_programs "$out/case"
   cd "$out/case"
   pipe_inputs_read in.inputs
   [[ -z $variant && ${#settings[@]} == 0 && ( -z $flow || $flow == "${input[flow]}" ) ]] ||
