@@ -77,6 +77,9 @@ finish() {
   rm -f "$powder"
   for pid in ${pids[@]+"${pids[@]}"}; do kill -TERM -- "-$pid" 2>/dev/null || true; done
   wait || true
+  # The lock is that of all that a job has started, too: whoever comes next finds it free.
+  exec 9>&-
+  flock --timeout "$foam_case_programs_end_s" "$out/.lock" true || true
 }
 trap finish EXIT
 trap 'exit 130' INT TERM
