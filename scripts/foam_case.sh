@@ -82,7 +82,8 @@ foam_case_need() {  # program
 }
 
 # The programs of a coupled job hold a lock in its folder as long as they live. mpirun leaves them behind,
-# at work, when it gets a second signal soon after the first (findings/mpirun_second_signal.sh): what removed or continued the run would mix with them.
+# at work, when it gets a second signal soon after the first (findings/mpirun_second_signal.sh): what
+# removed or continued the run would mix with them.
 foam_case_wait_for_programs() {  # folder
   local lock=$1/.programs.lock
   [[ ! -e $lock ]] || flock --timeout "$foam_case_programs_end_s" "$lock" true ||
