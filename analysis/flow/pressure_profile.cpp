@@ -13,6 +13,7 @@
 #include <regex>
 #include <sstream>
 
+#include "analysis/flow/run_tables.h"
 #include "analysis/foam/foam_files.h"
 #include "models/invalid_input.h"
 
@@ -94,18 +95,11 @@ ProbeFile read_probes(const fs::path& file) {
   return probes;
 }
 
-/// Folders of one probe set by start time.
+/// Files of one probe set by start time.
 std::map<double, fs::path> starts(const fs::path& set, const std::string& field = "p") {
   std::map<double, fs::path> found;
-  std::error_code problem;
-  for (const auto& entry : fs::directory_iterator(set, problem)) {
-    const std::string name = entry.path().filename().string();
-    double time = 0.0;
-    const char* last = name.data() + name.size();
-    const auto [end, error] = std::from_chars(name.data(), last, time);
-    if (error == std::errc() && end == last && fs::is_regular_file(entry.path() / field)) {
-      found[time] = entry.path() / field;
-    }
+  for (const auto& [start_s, folder] : start_folders(set)) {
+    if (fs::is_regular_file(folder / field)) found[start_s] = folder / field;
   }
   return found;
 }

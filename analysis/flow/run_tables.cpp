@@ -44,25 +44,19 @@ bool numbers_of(std::string line, std::vector<double>& values) {
   return true;
 }
 
+/// By start time, then by name.
 std::vector<fs::path> files_of(const fs::path& set, const std::string& stem) {
-  std::vector<std::pair<double, fs::path>> found;
+  std::vector<fs::path> files;
   std::error_code problem;
-  for (const auto& start : fs::directory_iterator(set, problem)) {
-    const std::string name = start.path().filename().string();
-    double time = 0.0;
-    const char* last = name.data() + name.size();
-    const auto [end, error] = std::from_chars(name.data(), last, time);
-    if (error != std::errc() || end != last || !start.is_directory()) continue;
-    for (const auto& file : fs::directory_iterator(start.path(), problem)) {
+  for (const auto& [start_s, folder] : start_folders(set)) {
+    const auto first = static_cast<std::ptrdiff_t>(files.size());
+    for (const auto& file : fs::directory_iterator(folder, problem)) {
       const std::string own = file.path().filename().string();
       const bool is_it = own == stem + ".dat" || own.rfind(stem + "_", 0) == 0;
-      if (is_it && file.path().extension() == ".dat") found.emplace_back(time, file.path());
+      if (is_it && file.path().extension() == ".dat") files.push_back(file.path());
     }
+    std::sort(files.begin() + first, files.end());
   }
-  std::sort(found.begin(), found.end());
-  std::vector<fs::path> files;
-  files.reserve(found.size());
-  for (const auto& entry : found) files.push_back(entry.second);
   return files;
 }
 
@@ -78,6 +72,19 @@ std::vector<std::string> titles_of(const std::string& line, char mark) {
 }
 
 }  // namespace
+
+std::map<double, fs::path> start_folders(const fs::path& set) {
+  std::map<double, fs::path> found;
+  std::error_code problem;
+  for (const auto& entry : fs::directory_iterator(set, problem)) {
+    const std::string name = entry.path().filename().string();
+    double time = 0.0;
+    const char* last = name.data() + name.size();
+    const auto [end, error] = std::from_chars(name.data(), last, time);
+    if (error == std::errc() && end == last && entry.is_directory()) found[time] = entry.path();
+  }
+  return found;
+}
 
 std::optional<double> RunTable::mean(std::size_t column, double from_s, double to_s) const {
   double sum = 0.0;

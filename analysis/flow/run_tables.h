@@ -26,6 +26,9 @@ struct RunTable {
   std::optional<double> head_number(const std::string& name) const;
 };
 
+/// Folders of what a function object wrote, by the start time of each part of the run.
+std::map<double, std::filesystem::path> start_folders(const std::filesystem::path& set);
+
 /// postProcessing/FUNCTION/<start>/STEM[_<time>].dat; empty when it is not there. Vectors and tensors
 /// are so many values; the first column is the time and not among them.
 RunTable read_function_object(const std::filesystem::path& case_folder, const std::string& function,
