@@ -5,8 +5,7 @@
 # +-: half of a 95 % interval of the mean, from the means of five blocks of time; of the rms: 1.96 standard
 # errors of K = T/WINDOW independent windows, rms/sqrt(2 K). Blocks shorter than the time that grains
 # stay hang together: then the interval is too narrow rather than too wide.
-# front: where the mean velocity has fallen half way from its highest to that of the developed part; none
-# ("-") where it does not fall, or by less than a fifth.
+# front: that of powderlink flow; "-" for none.
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 case=$1 from=$2 place=$3 window=$4 powderlink=$5
@@ -46,22 +45,8 @@ rms=$(number solids_flow_rms_percent)
 last=$(awk -F, 'END { print $1 }' "$case/post/particle_count.csv")
 rms_half=$(awk -v rms="$rms" -v t="$from" -v end="$last" -v w="$window" \
   'BEGIN { if (rms == "") print "-"; else printf "%.3g", 1.96*rms/sqrt(2*(end - t)/w) }')
-# The developed part counts as one; upstream of it ten slices at a time, weighted by their grains.
-front=$(awk -F, -v place="$place" '
-  $1 ~ /^[0-9]/ && $2 > 0 { z[++n] = $1; c[n] = $2; v[n] = $3; if ($1 >= place) { count += $2; developed += $2*$3 } }
-  END {
-    if (count) developed /= count
-    for (i = 1; i + 9 <= n; i++) {
-      m = mv = 0
-      for (k = i; k < i + 10; k++) { m += c[k]; mv += c[k]*v[k] }
-      smooth[i] = mv/m; middle[i] = (z[i] + z[i + 9])/2; last = i
-      if (smooth[i] > most) { most = smooth[i]; top = i }
-    }
-    half = (most + developed)/2
-    if (count && developed < 0.8*most)
-      for (i = top; i <= last; i++) if (smooth[i] < half) { printf "%.4f", middle[i]; exit }
-    print "-"
-  }' "$out/velocity.csv")
+front=$(awk '/^ *"front_m": / { among = 1 } among && match($0, /: [0-9.e-]+/) { printf "%.4f", substr($0, RSTART + 2); exit }
+  among && /null/ { exit }' "$out/flow.json")
 printf '%s,%s,%s,%s,%s,%s,%s,%s,%s,%s\n' "$(number particle_count)" "$grains" \
   "$(number particle_velocity_mean_m_s)" "$velocity" "$(number particle_velocity_std_m_s)" \
-  "$(number pressure_slope_Pa_m)" "$slope" "${rms:--}" "$rms_half" "$front"
+  "$(number pressure_slope_Pa_m)" "$slope" "${rms:--}" "$rms_half" "${front:--}"
