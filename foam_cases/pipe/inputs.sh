@@ -39,7 +39,8 @@ pipe_inputs_twin() {
 
 pipe_inputs_set() {  # NAME=VALUE...
   local setting name twin names='alpha restitution youngsModulus reducedModulus poissonsRatio friction
-    density inletOverGas diskDiameter pitch sizeLaw sizeOrigin sizeExponent sizeScale meanMass forces model'
+    tangential sliderStep density inletOverGas diskDiameter pitch sizeLaw sizeOrigin sizeExponent
+    sizeScale meanMass forces model'
   local -A given=()
   for setting in "$@"; do
     name=${setting%%=*}
@@ -50,6 +51,9 @@ pipe_inputs_set() {  # NAME=VALUE...
         foam_case_fail "unknown law of sizes" "$setting" "number, mass" "correct --set" ;;
       model) [[ ${setting#*=} =~ ^[AB]$ ]] ||
         foam_case_fail "unknown model" "$setting" "A, B" "correct --set" ;;
+      tangential) [[ ${setting#*=} =~ ^(history|spring_slider_dashpot)$ ]] ||
+        foam_case_fail "unknown tangential model" "$setting" "history, spring_slider_dashpot" \
+          "correct --set" ;;
       forces) ;;
       *) [[ ${setting#*=} =~ ^([0-9]+\.?[0-9]*|\.[0-9]+)(e[-+]?[0-9]+)?$ ]] ||
         foam_case_fail "bad value of an input" "$setting" "a number, not negative, in SI units" \
@@ -154,6 +158,16 @@ pipe_inputs_step() {
   input[insertEvery]=$(pipe_calculate "int($pipe_layer_grains/(rate*dt) + 0.5)")
 }
 
+# Step of the slider, which LIGGGHTS reads for either model: that of the source, or the DEM step where
+# stiffer grains need a shorter one.
+pipe_inputs_slider() {  # step that was set, or nothing
+  [[ ${input[tangential]} != history && -n ${input[sliderStep]:-} ]] || input[sliderStep]=${input[dt]}
+  if pipe_holds 'sliderStep > 0 && sliderStep <= dt'; then return; fi
+  [[ -z $1 ]] || foam_case_fail "bad step of the slider" "$1 s" \
+    "above 0, up to the DEM step of ${input[dt]} s" "correct sliderStep"
+  input[sliderStep]=${input[dt]}
+}
+
 pipe_inputs_injection() {  # radius of the pipe
   local layer
   layer=$(pipe_calculate 'inletSpeed*insertEvery*dt')
@@ -171,18 +185,22 @@ pipe_inputs_injection() {  # radius of the pipe
 }
 
 pipe_inputs_derive() {  # case, file of the powder
+  local name slider_step=${input[sliderStep]:-}
   case $1 in
     A) input[gasSpeed]=10 input[rate]=300000 ;;
     B) input[gasSpeed]=5 input[rate]=150000 ;;
     *) foam_case_fail "unknown case" "$1" "A, B" "correct --case" ;;
   esac
   input[flow]=$1
-  if [[ -z ${input[meanMass]:-} && -n ${input[meanMass$1]:-} ]]; then input[meanMass]=${input[meanMass$1]}; fi
-  unset 'input[meanMassA]' 'input[meanMassB]'
+  for name in meanMass sliderStep; do
+    if [[ -z ${input[$name]:-} && -n ${input[$name$1]:-} ]]; then input[$name]=${input[$name$1]}; fi
+    unset "input[${name}A]" "input[${name}B]"
+  done
   pipe_inputs_contacts
   pipe_inputs_powder "$2"
   input[inletSpeed]=$(pipe_calculate 'inletOverGas*gasSpeed')
   pipe_inputs_step
+  pipe_inputs_slider "$slider_step"
   pipe_inputs_injection "$(awk '$1 == "variable" && $2 == "r" { print $4 }' "$pipe_folder/in.pipe")"
 }
 

@@ -4,7 +4,7 @@
 # sensitivity.sh [--short] [--base assumed|source] [--case A|B] [--only NAME,...] [--end-time T] [--jobs N]
 #                [--out DIR]
 #   --base source   from the source's values to the assumed ones
-#   --only          some of: injection friction modulus restitution forces points powder all
+#   --only          some of: injection friction slider modulus restitution forces points powder all
 #   --jobs          runs at a time, each with one rank of either program (default: processors)
 #   --end-time      0.15 s unless given; the last third is measured (observe.sh)
 # Called again it keeps what has ended and goes on with what has not. DIR (default
@@ -16,7 +16,7 @@ caller=${OLDPWD:-$PWD}
 . ./inputs.sh
 
 # name of a row: its inputs, the first one for the table
-moves='injection:inletOverGas friction:friction modulus:youngsModulus restitution:restitution
+moves='injection:inletOverGas friction:friction slider:tangential,sliderStep modulus:youngsModulus restitution:restitution
   forces:forces,model points:diskDiameter,pitch
   powder:meanMass,density,sizeLaw,sizeOrigin,sizeExponent,sizeScale all:'
 short=no base=assumed flow=A only='' end_time='' jobs=$(nproc) out=''

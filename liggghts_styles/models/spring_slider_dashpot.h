@@ -14,17 +14,20 @@
 /// Tangentially both have Mindlin's spring k_t = 8 G* sqrt(R* delta), and the clouds damp it as
 /// they do the normal direction. Where it exceeds mu |F_n| both slide with mu |F_n|; but the clouds then
 /// empty the spring, and stick, with a dashpot that nothing limits, until it is full again, while
-/// LIGGGHTS's history stays at the limit. Steps in which a contact slips by more than mu F_n/k_t
-/// hide the difference.
+/// LIGGGHTS's history stays at the limit. At a steady slip v and load a cycle has n steps,
+///   n = floor(mu |F_n|/(k_t v dt)) + 1,
+///   mean F_t = (k_t v dt n (n - 1)/2 + (n - 1) eta v + mu |F_n|)/n
+/// which is Coulomb's mu |F_n| for n = 1 and goes to mu |F_n|/2 + eta v as dt -> 0: the friction
+/// of the clouds depends on their step, and grows with the speed.
 ///
-/// Symbols: delta overlap, > 0 in contact [m], R* reduced radius [m], m* reduced mass [kg] (plate:
+/// Symbols: eta = alpha sqrt(m* k) delta^(1/4) [kg/s]; delta overlap, > 0 in contact [m], R* reduced radius [m], m* reduced mass [kg] (plate:
 /// the sphere's own), E* effective modulus [Pa], zeta damping ratio [-].
 /// Validity: exponent b = 1.5, no cohesionEnergyDensity, 0 <= alpha < sqrt 5; beyond, grains do not
 /// part.
 /// Source: Y. Tsuji et al., Powder Technol. 71 (1992) 239; D. Antypov and J. A. Elliott, EPL 94
 /// (2011) 50004 (the oscillator); PairSpringSliderDashpot.C, WallSpringSliderDashpot.C of OpenFOAM
 /// v1912.
-/// Tests: tests/models/collision_test.cpp
+/// Tests: tests/models/collision_test.cpp, tests/host/slider_test.cpp
 #pragma once
 
 #include <cmath>
@@ -74,6 +77,46 @@ inline double spring_slider_dashpot_force_N(double overlap_m, double overlap_rat
 inline double spring_slider_dashpot_time_s(double radius_m, double density_kg_m3, double modulus_Pa,
                                            double speed_m_s) {
   return 5.429675 * radius_m * std::pow(density_kg_m3 / (modulus_Pa * std::sqrt(speed_m_s)), 0.4);
+}
+
+/// What the tangential force of a contact depends on, during one step.
+struct SliderLoad {
+  double stiffness_N_m = 0.0;  ///< k_t
+  double damping_kg_s = 0.0;   ///< eta
+  double limit_N = 0.0;        ///< mu |F_n|
+};
+
+/// Advances the spring by a step at constant slip, in `parts` steps of the clouds.
+/// \param slip_m_s  velocity of the contact point against the other body's, in the tangent plane
+/// \param spring_m  in, out: what the spring has taken of the slip since it was last empty
+/// \param force_N   out: mean force on the body over the step
+inline void advance_slider(const SliderLoad& load, const double (&slip_m_s)[3], double step_s,
+                           int parts, double (&spring_m)[3], double (&force_N)[3]) {
+  const double part_s = step_s / parts;
+  const double growth[3] = {slip_m_s[0] * part_s, slip_m_s[1] * part_s, slip_m_s[2] * part_s};
+  const double full_m = load.limit_N / load.stiffness_N_m;
+  double sum_m[3] = {0.0, 0.0, 0.0};  // of the springs that hold
+  int slides = 0;
+  for (int part = 0; part < parts; ++part) {
+    double square = 0.0;
+    for (int k = 0; k < 3; ++k) {
+      spring_m[k] += growth[k];
+      square += spring_m[k] * spring_m[k];
+    }
+    if (square > full_m * full_m) {
+      ++slides;
+      for (double& s : spring_m) s = 0.0;
+    } else {
+      for (int k = 0; k < 3; ++k) sum_m[k] += spring_m[k];
+    }
+  }
+  const double speed =
+      std::sqrt(slip_m_s[0] * slip_m_s[0] + slip_m_s[1] * slip_m_s[1] + slip_m_s[2] * slip_m_s[2]);
+  const double drag =
+      (parts - slides) * load.damping_kg_s + (speed > 0.0 ? slides * load.limit_N / speed : 0.0);
+  for (int k = 0; k < 3; ++k) {
+    force_N[k] = -(load.stiffness_N_m * sum_m[k] + drag * slip_m_s[k]) / parts;
+  }
 }
 
 }  // namespace powderlink::models

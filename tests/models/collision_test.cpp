@@ -130,6 +130,72 @@ TEST(SpringSliderDashpot, OwnTimeOfACollision) {
   }
 }
 
+/// Mean force over one cycle of the slider at a steady load, in closed form.
+double cycle_force_N(const models::SliderLoad& load, double speed_m_s, double step_s) {
+  const double growth = load.stiffness_N_m * speed_m_s * step_s;
+  const double n = std::floor(load.limit_N / growth) + 1.0;
+  return (growth * n * (n - 1.0) / 2.0 + (n - 1.0) * load.damping_kg_s * speed_m_s + load.limit_N) /
+         n;
+}
+
+TEST(Slider, SteadySlipFollowsTheCycle) {
+  const models::SliderLoad load{50.0, 3e-5, 2e-5};
+  const double step = 7e-8;
+  for (const double speed : {0.02, 0.3, 1.1, 5.9}) {
+    const int n =
+        static_cast<int>(std::floor(load.limit_N / (load.stiffness_N_m * speed * step)) + 1.0);
+    constexpr int cycles = 3;
+    double spring[3] = {0, 0, 0}, force[3], sum[3] = {0, 0, 0};
+    const double slip[3] = {0.6 * speed, 0.0, -0.8 * speed};
+    for (int i = 0; i < cycles * n; ++i) {
+      models::advance_slider(load, slip, step, 1, spring, force);
+      for (int k = 0; k < 3; ++k) sum[k] += force[k] / (cycles * n);
+    }
+    const double mean = cycle_force_N(load, speed, step);
+    EXPECT_NEAR(sum[0] / mean, -0.6, n * kRounding) << n;
+    EXPECT_EQ(sum[1], 0.0);
+    EXPECT_NEAR(sum[2] / mean, 0.8, n * kRounding) << n;
+    // All of it at once is the mean of its steps.
+    double emptied[3] = {0, 0, 0};
+    models::advance_slider(load, slip, cycles * n * step, cycles * n, emptied, force);
+    for (int k = 0; k < 3; ++k) EXPECT_NEAR(force[k], sum[k], n * kRounding * mean);
+  }
+}
+
+TEST(Slider, CoulombsLawWhereEachStepSlidesAndViscousInTheLimit) {
+  const models::SliderLoad load{50.0, 3e-5, 2e-5};
+  const double slip[3] = {0.3, 0.0, 0.0};
+  double spring[3] = {0, 0, 0}, force[3];
+  const double full = load.limit_N / (load.stiffness_N_m * slip[0]);  // time to fill the spring
+  for (int i = 0; i < 5; ++i) {
+    models::advance_slider(load, slip, 1.01 * full, 1, spring, force);
+    EXPECT_EQ(force[0], -load.limit_N);
+    EXPECT_EQ(spring[0], 0.0);
+  }
+  // mu F_n/2 + eta v, reached with the first order of the step.
+  const double limit = load.limit_N / 2 + load.damping_kg_s * slip[0];
+  double error[2];
+  for (const int fine : {0, 1}) {
+    const double parts = fine == 1 ? 2000 : 1000;
+    error[fine] = cycle_force_N(load, slip[0], 1.0000001 * full / parts) / limit - 1.0;
+  }
+  EXPECT_LT(std::fabs(error[1]), 1e-3);
+  EXPECT_NEAR(error[0] / error[1], 2.0, 0.01);
+}
+
+TEST(Slider, SticksWhileTheSpringHolds) {
+  const models::SliderLoad load{50.0, 3e-5, 2e-5};
+  double spring[3] = {3e-7, 0.0, 0.0}, force[3];  // below 2e-5/50
+  const double rest[3] = {0, 0, 0};
+  models::advance_slider(load, rest, 1e-7, 5, spring, force);
+  EXPECT_NEAR(force[0], -load.stiffness_N_m * 3e-7, kRounding * load.limit_N);
+  EXPECT_EQ(spring[0], 3e-7);
+  // A contact that loses its load gives way, and without a slip pulls nowhere.
+  models::advance_slider({50.0, 0.0, 1e-6}, rest, 1e-7, 1, spring, force);
+  EXPECT_EQ(force[0], 0.0);
+  EXPECT_EQ(spring[0], 0.0);
+}
+
 TEST(HertzCollision, UndampedFactor) {
   const HertzCollision c{3.2e9, 23e-6, 4.07e-10, 0.7};
   const double factor =

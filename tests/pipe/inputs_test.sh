@@ -31,7 +31,9 @@ near restitution 0.845 $printed
 near inletSpeed 10 1e-9
 near grainMass 1.009e-9 1e-4
 near largestGrain 53.75e-6 1e-9
+near sliderStep "$(pipe_calculate '5e-6/83')" 1e-3  # steps that the source prints
 derive source B
+near sliderStep "$(pipe_calculate '1e-5/144')" 1e-3
 near inletSpeed 5 1e-9
 near grainMass 1.028e-9 1e-4
 # e = 0.9, printed beside alpha = 0.12, belongs to 0.0749; each leads back to the other.
@@ -56,6 +58,14 @@ for modulus in 5e6 2.11e7 3.84e7 1e8 7.3e8 2e9; do
   pipe_holds 'every == int(every) && dt <= 0.25*rayleighTime && dt >= 0.15*rayleighTime' ||
     fail "step of $modulus Pa: ${input[dt]} s, Rayleigh time ${input[rayleighTime]} s"
 done
+
+# The slider does at least one step in each of LIGGGHTS's; history reads none.
+derive source A youngsModulus=2e9
+near sliderStep "${input[dt]}" 1e-12
+derive source A tangential=history
+near sliderStep "${input[dt]}" 1e-12
+derive source A sliderStep=1e-7
+near sliderStep 1e-7 1e-12
 
 # 61 points on the disk, the nearest ones a pitch apart, as many on each side of every axis of symmetry.
 for variant in source assumed; do
@@ -105,6 +115,8 @@ refused "no powder has this mean mass" 1e-8 3.208e-10 2.628e-09 -- --set meanMas
 refused "coefficient of restitution" 0.01 "0.05 to 1" -- --set restitution=0.01
 refused "no grain rebounds" 2.236 -- --set alpha=2.24
 refused "too soft" "at least 5e6 Pa" -- --set youngsModulus=4e6
+refused "bad step of the slider" 1e-6 5e-07 -- --set sliderStep=1e-6
+refused "unknown tangential model" spring "history, spring_slider_dashpot" -- --set tangential=spring
 refused "bad value of an input" friction=-0.3 -- --set friction=-0.3
 refused "unknown input" grains=3 -- --set grains=3
 refused "unknown inputs" other "source, assumed" -- --inputs other

@@ -1,2 +1,3 @@
-// Read by contact_models.h in place of the list that the LIGGGHTS package does not ship:
-// the plugin compiles no normal model of LIGGGHTS; its own is host/normal_model_jkr.h.
+// Normal models of LIGGGHTS that combine with tangential model `spring_slider_dashpot`; stands in for the list
+// that the LIGGGHTS package does not ship. The plugin's own is host/normal_model_jkr.h.
+#include "normal_model_hertz.h"
