@@ -2,10 +2,9 @@
 # observe.sh CASE FROM PLACE WINDOW POWDERLINK: one line of a run's developed part, from the time FROM [s]
 # on and beyond PLACE [m], rms of the solids flow after a moving average of WINDOW [s]:
 #   grains,+-,velocity_m_s,+-,velocity_std_m_s,slope_Pa_m,+-,rms_percent,+-,front_m
-# +-: half of a 95 % interval of the mean, from the means of five blocks of time; of the rms: 1.96 standard
-# errors of K = T/WINDOW independent windows, rms/sqrt(2 K). Blocks shorter than the time that grains
-# stay hang together: then the interval is too narrow rather than too wide.
-# front: that of powderlink flow; "-" for none.
+# +-: half of a 95 % interval of the mean, from the means of five blocks of time; blocks shorter than the
+# time that grains stay hang together: then the interval is too narrow rather than too wide. Of the rms
+# half of the interval of powderlink flow. front: that of powderlink flow; "-" for none.
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 case=$1 from=$2 place=$3 window=$4 powderlink=$5
@@ -42,11 +41,18 @@ slope=$(cd "$case" && find postProcessing/axis -name p | LC_ALL=C sort -t/ -k3,3
   xargs awk -v density="$density" -v from="$(awk "BEGIN { print 0.999*$place }")" -f "$here/slope.awk" |
   sort -g -u -k1,1 | half_interval)
 rms=$(number solids_flow_rms_percent)
-last=$(awk -F, 'END { print $1 }' "$case/post/particle_count.csv")
-rms_half=$(awk -v rms="$rms" -v t="$from" -v end="$last" -v w="$window" \
-  'BEGIN { if (rms == "") print "-"; else printf "%.3g", 1.96*rms/sqrt(2*(end - t)/w) }')
-front=$(awk '/^ *"front_m": / { among = 1 } among && match($0, /: [0-9.e-]+/) { printf "%.4f", substr($0, RSTART + 2); exit }
-  among && /null/ { exit }' "$out/flow.json")
+# One of value, low, high of a number, which may have no interval; nothing where it is not there.
+within() {  # key, which
+  awk -v key="\"$1\":" -v which="\"$2\":" '
+    { gsub(/,/, "") }
+    $1 == key && $2 != "{" { if (which ~ /value/ && $2 != "null") print $2; exit }
+    $1 == key { among = 1 }
+    among && $1 == which { print $2; exit }' "$out/flow.json"
+}
+rms_half=$(awk -v low="$(within solids_flow_rms_interval_percent low)" \
+  -v high="$(within solids_flow_rms_interval_percent high)" \
+  'BEGIN { if (high == "") print "-"; else printf "%.3g", (high - low)/2 }')
+front=$(within front_m value)
 printf '%s,%s,%s,%s,%s,%s,%s,%s,%s,%s\n' "$(number particle_count)" "$grains" \
   "$(number particle_velocity_mean_m_s)" "$velocity" "$(number particle_velocity_std_m_s)" \
   "$(number pressure_slope_Pa_m)" "$slope" "${rms:--}" "$rms_half" "${front:--}"

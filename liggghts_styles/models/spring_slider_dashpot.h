@@ -27,7 +27,7 @@
 /// Source: Y. Tsuji et al., Powder Technol. 71 (1992) 239; D. Antypov and J. A. Elliott, EPL 94
 /// (2011) 50004 (the oscillator); PairSpringSliderDashpot.C, WallSpringSliderDashpot.C of OpenFOAM
 /// v1912.
-/// Tests: tests/models/collision_test.cpp, tests/host/slider_test.cpp
+/// Tests: tests/models/collision_test.cpp, tests/host/slider_test.cpp (beside OpenFOAM itself)
 #pragma once
 
 #include <cmath>

@@ -67,6 +67,7 @@ near "its interval" "$slope_half" 196.325 0.5
 # block, which are 2 c from the mean, and make ramps of the four steps of c: each takes c^2/6 of the
 # mean square over 2 ms. That leaves c^2 ((2 9 4 + 2 10)/48 - 4 2/(6 48)).
 near rms "$rms" "$(awk 'BEGIN { print 100*0.1*sqrt((92 - 8/6)/48)/3.3 }')" 0.01
-near "its interval" "$rms_half" "$(awk -v r="$rms" 'BEGIN { print 1.96*r/sqrt(2*(0.05 - 0.00025)/0.002) }')" 0.01
+# 24 windows of 2 ms: chi-square of 23 degrees of freedom, 11.6886 and 38.0756 at 2.5 and 97.5 %.
+near "its interval" "$rms_half" "$(awk -v r="$rms" 'BEGIN { print r*(sqrt(23/11.6886) - sqrt(23/38.0756))/2 }')" 0.01
 # Ten slices of 1 mm at a time.
 near front "$front" 0.16 0.0015
