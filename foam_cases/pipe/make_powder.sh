@@ -5,8 +5,9 @@
 # mass: Y weighs them, and it gets (Y(d2) - Y(d1))/d^3, d its middle. LIGGGHTS draws by these numbers.
 # mean:MASS takes the SCALE with which the mean mass of a grain is MASS [kg].
 set -euo pipefail
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 awk -v law="$1" -v origin="$2" -v n="$3" -v scale="$4" -v density="$5" \
-  -v d_min=40 -v d_max=110 -v width=5 '
+  -v d_min=40 -v d_max=110 -v width=5 "$(<"$here/../../scripts/powder_classes.awk")"'
   # Y between the cuts, as a share; without the factor by which Y(d_min) may be all but 1.
   function beyond(d) { return 1 - exp(((d_min - origin)/x0)^n - ((d - origin)/x0)^n) }
   function finer(d) { return beyond(d)/beyond(d_max) }
@@ -24,8 +25,6 @@ awk -v law="$1" -v origin="$2" -v n="$3" -v scale="$4" -v density="$5" \
     }
   }
   BEGIN {
-    # Seeds of LIGGGHTS: primes, all different.
-    split("10007 10009 10037 10039 10061 10067 10069 10079 10091 10093 10099 10103 10111 10133", seed)
     pi = atan2(0, -1)
     origin *= 1e6
     if (sub(/^mean:/, "", scale)) {
@@ -50,14 +49,6 @@ awk -v law="$1" -v origin="$2" -v n="$3" -v scale="$4" -v density="$5" \
     }
     printf "# Made by make_powder.sh: 316L, Rosin-Rammler by %s from %g um on, x0 %.4g um, n %g, %g to %g um.\n", law, origin, x0, n, d_min, d_max
     printf "# Mass median %.1f um.\n", median
-    printf "variable grainMass     index %.4g    # kg, mean of a grain\n", mean
-    printf "variable grainSpread   index %.3f    # standard deviation of that mass over its mean\n", sqrt(square - mean^2)/mean
-    printf "variable smallestGrain index %.6ge-6    # m, radius\n", d[1]/2
-    printf "variable largestGrain  index %.6ge-6    # m, radius\n", d[classes]/2
-    for (k = 1; k <= classes; k++)
-      printf "fix class%-2d all particletemplate/sphere %d atom_type 1 density constant %g radius constant %.6ge-6 volume_limit 1e-20\n", \
-        k, seed[k], density, d[k]/2
-    printf "fix powder all particledistribution/discrete/numberbased 15485867 %d", classes
-    for (k = 1; k <= classes; k++) printf " &\n    class%-2d %.6f", k, number[k]/sum
-    printf "\n"
+    for (k = 1; k <= classes; k++) number[k] /= sum
+    print_powder(classes, d, number, density, mean, sqrt(square - mean^2)/mean)
   }'
