@@ -142,12 +142,16 @@ else
   echo "$fill_count $empty_pressure $empty_slope_Pa_m" >start.txt
 fi
 
+# Two ranks of LIGGGHTS halve the box: behind 0.2 m are as many grains as before, once the pipe has jammed.
+beyond=0
+if [[ $dem_ranks == 2 && $short == no ]]; then beyond=0.1; fi
+
 end_s=$(setting endTime)
 rate_per_s=${input[rate]} gas_m_s=${input[gasSpeed]}
 steps=$(calculate "int($end_s/${input[dt]} + 0.5)")
 foam_case_couple in.pipe -var length "$(setting pipeLength)" -var contact "$contact" \
   -var fillCount "$fill_count" -var restart "$([[ $go_on == yes ]] && echo 1 || echo 0)" \
-  -var steps "$steps"
+  -var steps "$steps" -var beyond "$beyond"
 
 foam_case_grain_steps "${input[dt]}" post/particles_*.dump
 counts=post/particle_count.csv

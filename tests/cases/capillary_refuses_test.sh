@@ -23,8 +23,8 @@ refused "--inlet round" "given: round" "plug, parabolic"
 refused "--powder-velocity 0" "given: 0" "--powder-velocity"
 refused "--powder-flow lots" "given: lots" "--powder-flow"
 refused "--powder-flow" "option without a value"
-# 0.9 radii of the smallest grain, 16.637 um, in 0.4 us.
-refused "--flow 0.8 --powder-velocity 40" "given: 40 m/s" "37.43325 m/s"
+# 0.9 radii of the smallest grain, 16.6366 um, in 0.4 us.
+refused "--flow 0.8 --powder-velocity 40" "given: 40 m/s" "37.43235 m/s"
 refused "--flow 0.8 --powder-velocity 0.01" "0.03 g/s at 0.01 m/s fill 0.449" "at most 0.2"
 
 # A quarter of all grains by number, in classes of the same mass: D10, D50 and D90 of what LIGGGHTS draws.
