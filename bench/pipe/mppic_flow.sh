@@ -36,7 +36,7 @@ for time in "$end_s" "$step_s"; do
 done
 end_s=${end_s:-$([[ $flow == A ]] && echo 0.2 || echo 0.4)}
 step_s=${step_s:-$([[ $flow == A ]] && echo 5e-6 || echo 1e-5)}
-out=${out:-$here/results/mppic_$flow}
+out=${out:-$pipe/results/mppic_$flow}
 if [[ -z $mppic ]]; then
   mppic=$root/build/mppic/MPPICFoam
   "$here/build_mppic.sh" "$root/build/mppic"
@@ -44,9 +44,9 @@ fi
 limit_s=36000  # 10 000 parcels take some 20 s per ms of 5 us steps
 
 # Mesh, steady gas, powder and points are those of the case; two exchanges of it make them.
-"$pipe/run.sh" --case "$flow" --end-time 0.0002 --out "$out/start" >"$out.log" 2>&1 || true
-[[ -f $out/start/case/in.inputs ]] || { cat "$out.log" >&2; exit 1; }
-mv "$out.log" "$out/log"
+mkdir -p "$out"
+"$pipe/run.sh" --case "$flow" --end-time 0.0002 --out "$out/start" >"$out/log" 2>&1 || true
+[[ -f $out/start/case/in.inputs ]] || { cat "$out/log" >&2; exit 1; }
 pipe_inputs_read "$out/start/case/in.inputs"
 from=$out/start/case case=$out/case
 rm -rf "$case"
@@ -59,14 +59,9 @@ cd "$case"
 LC_ALL=C sed 's/object  *U;/object      U.air;/' "$from/0/U" >0/U.air
 cp "$from/0/p" 0/p
 
-entry() {  # file, entry, value
-  foamDictionary -precision 15 -disableFunctionEntries -entry "$2" -set "$3" "$1" >log.foamDictionary 2>&1 ||
-    foam_case_fail "foamDictionary failed" "$2 of $1" "an entry that it can set" "see $PWD/log.foamDictionary"
-}
 cloud=constant/kinematicCloudProperties
-entry $cloud constantProperties/rho0 "${input[density]}"
-entry $cloud constantProperties/youngsModulus "${input[youngsModulus]}"
-entry $cloud subModels/patchInteractionModel localInteraction
+foam_case_set $cloud constantProperties/rho0 "${input[density]}"
+foam_case_set $cloud constantProperties/youngsModulus "${input[youngsModulus]}"
 sed -i -E "s/^( +e +)0\.9;/\1${input[restitution]};/; s/^( +mu +)0\.3;/\1${input[friction]};/" $cloud
 # Every point of the disk, 1 mm behind the inlet, as many grains from each; OpenFOAM draws their sizes by
 # number, from the smallest grain on.
@@ -74,20 +69,20 @@ points=$(awk '/outer loop/ { n++ } /vertex/ { x[n] += $2/3; y[n] += $3/3 }
   END { for (i = 1; i <= n; i++) printf "((%.9g %.9g 1e-3) (0 0 1)) ", x[i], y[i] }' "$from/stl/sites.stl")
 scale_m=$(sed -n -E 's/^# Made .* x0 ([0-9.]+) um.*/\1e-6/p' "$from/in.powder")
 number=$(grep -o '(0 0 1)' <<<"$points" | wc -l)
-entry $cloud subModels/injectionModels "{ disk { type coneInjection; positionAxis ($points);
+foam_case_set $cloud subModels/injectionModels "{ disk { type coneInjection; positionAxis ($points);
   massTotal $(pipe_calculate "grainMass*rate*$end_s"); duration $end_s; SOI 0; flowRateProfile constant 1;
   parcelsPerInjector $(pipe_calculate "int(rate*$end_s/$number + 0.5)"); parcelBasisType fixed; nParticle 1;
   Umag constant ${input[inletSpeed]}; thetaInner constant 0; thetaOuter constant 0;
   sizeDistribution { type RosinRammler; RosinRammlerDistribution {
     minValue 40e-6; maxValue 110e-6; d $scale_m; n ${input[sizeExponent]}; } } } }"
 control=system/controlDict
-entry $control application MPPICFoam
-entry $control deltaT "$step_s"
-entry $control endTime "$end_s"
-entry $control writeControl runTime
-entry $control writeInterval "$(pipe_calculate "$end_s/100")"
-entry $control purgeWrite 0
-entry $control OptimisationSwitches '{ writeLagrangianPositions 1; }'
+foam_case_set $control application MPPICFoam
+foam_case_set $control deltaT "$step_s"
+foam_case_set $control endTime "$end_s"
+foam_case_set $control writeControl runTime
+foam_case_set $control writeInterval "$(pipe_calculate "$end_s/100")"
+foam_case_set $control purgeWrite 0
+foam_case_set $control OptimisationSwitches '{ writeLagrangianPositions 1; }'
 cat >>$control <<TEXT
 functions
 {
@@ -133,6 +128,6 @@ slope=$(awk -v density=1.6355 -v from=0.2 -f "$pipe/slope.awk" postProcessing/ax
       for (i = 1; i < w; i++) mean += share[i]/(w - 1)
       for (i = 1; i < w; i++) square += (share[i] - mean)^2/(w - 2)
       printf "%s,MP-PIC,%.0f,%s,%s,%.4g,%s,%.3g\n", flow, grains/n, velocity, slope, 1e3*mean/window,
-        mean > 0 ? sprintf("%.3g", 100*sqrt(square)/mean) : "-", 100*sqrt((1 + c^2)/(rate*window))
+        (mean > 0 ? sprintf("%.3g", 100*sqrt(square)/mean) : "-"), 100*sqrt((1 + c^2)/(rate*window))
     }' counts
 } | tee "$out/mppic.csv"

@@ -20,8 +20,9 @@
 /// which is Coulomb's mu |F_n| for n = 1 and goes to mu |F_n|/2 + eta v as dt -> 0: the friction
 /// of the clouds depends on their step, and grows with the speed.
 ///
-/// Symbols: eta = alpha sqrt(m* k) delta^(1/4) [kg/s]; delta overlap, > 0 in contact [m], R* reduced radius [m], m* reduced mass [kg] (plate:
-/// the sphere's own), E* effective modulus [Pa], zeta damping ratio [-].
+/// Symbols: eta = alpha sqrt(m* k) delta^(1/4) [kg/s], delta overlap, > 0 in contact [m], R* reduced
+/// radius [m], m* reduced mass [kg] (plate: the sphere's own), E* effective modulus [Pa], zeta damping
+/// ratio [-].
 /// Validity: exponent b = 1.5, no cohesionEnergyDensity, 0 <= alpha < sqrt 5; beyond, grains do not
 /// part.
 /// Source: Y. Tsuji et al., Powder Technol. 71 (1992) 239; D. Antypov and J. A. Elliott, EPL 94

@@ -164,9 +164,9 @@ TEST(SpringSliderDashpot, IsCoulombsWhereEachStepSlides) {
   EXPECT_NEAR((along - o.last[0].v[0]) / (kFriction * (1.0 + e) * down), 1.0, tolerance);
 }
 
-TEST(SpringSliderDashpot, PairsConserveMomentumAndMatchThePlate) {
-  // Two equal grains that meet as mirror images; of their two angular momenta the sum stays. Their
-  // plane of symmetry is a plate without friction: nothing slips.
+TEST(SpringSliderDashpot, PairsConserveMomentum) {
+  // Two equal grains that meet obliquely, both turning; orbital and spin angular momentum together
+  // stay.
   constexpr double step = 1e-7;
   Sphere first = grain(-kRadius - 1e-7, 1e-4), second = grain(kRadius + 2e-7, 1e-4 + 1e-5);
   first.v[0] = 0.4;
