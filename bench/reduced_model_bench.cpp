@@ -2,14 +2,14 @@
 // One critical diameter with the reduced model, for every kind of stop and effect. Target: 5 ms.
 #include <benchmark/benchmark.h>
 
-#include "analysis/critical_diameter.h"
-#include "analysis/material_library.h"
-#include "models/effect_registry.h"
+#include "analysis/kat/reduced/critical_diameter.h"
+#include "analysis/kat/study/material_library.h"
+#include "physics/effects/effect_registry.h"
 
 namespace {
 
 using powderlink::analysis::KatSetup;
-using powderlink::models::StopPulse;
+using powderlink::physics::StopPulse;
 
 void find(benchmark::State& state, const KatSetup& setup, double velocity_m_s) {
   const powderlink::analysis::ReducedModel model(setup);
@@ -48,7 +48,7 @@ BENCHMARK(half_sine_stop)
 
 void effect(benchmark::State& state, const char* name, double energy, double velocity) {
   KatSetup s = drop("borosilicate_glass", "borosilicate_glass", energy);
-  s.effects = {powderlink::models::make_effect(name, {})};
+  s.effects = {powderlink::physics::make_effect(name, {})};
   find(state, s, velocity);
 }
 BENCHMARK_CAPTURE(effect, rate_dependent_adhesion, "rate_dependent_adhesion", 10.0, 2.0)

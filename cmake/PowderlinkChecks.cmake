@@ -5,6 +5,8 @@ if(NOT POWDERLINK_SANITIZE)
     COMMAND ${PROJECT_SOURCE_DIR}/scripts/lint.sh --format LABELS lint)
   powderlink_command_test(lint.house_rules
     COMMAND ${PROJECT_SOURCE_DIR}/scripts/house_rules.sh LABELS lint)
+  powderlink_command_test(lint.layers
+    COMMAND ${PROJECT_SOURCE_DIR}/scripts/layers.sh LABELS lint)
   powderlink_command_test(sanitized_tests
     COMMAND ${PROJECT_SOURCE_DIR}/scripts/sanitized_tests.sh LABELS sanitize
     TIMEOUT 3600 RUN_SERIAL)

@@ -5,7 +5,8 @@
 #     [SOURCES file...] [LIBRARIES target...] [PRIVATE_LIBRARIES target...]
 #     [INCLUDES dir...] [DEFINITIONS def...])
 #   powderlink_executable(NAME SOURCES file... [LIBRARIES ...] [INCLUDES ...] [DEFINITIONS ...])
-#   powderlink_benchmark(NAME SOURCES file... [LIBRARIES ...] ...)      Google Benchmark, with main
+#   powderlink_benchmark(NAME [OWN_MAIN] SOURCES file... [LIBRARIES ...] ...)   Google Benchmark, with main
+#                              unless OWN_MAIN; in bench_bin/, built by the target `benchmarks` only
 #   powderlink_test(NAME SOURCES file...                                GoogleTest
 #     [LIBRARIES ...] [INCLUDES ...] [DEFINITIONS ...]
 #     [LABELS unit|host|...]   default unit; `unit` tests also run under the sanitizers, and so do
@@ -18,7 +19,7 @@
 #     [WORKING_DIRECTORY dir])
 #
 # Every target also answers to powderlink::NAME (libraries) and sees the repository's root as an
-# include directory: #include "liggghts_styles/models/jkr.h".
+# include directory: #include "physics/contact/jkr_law.h".
 
 include_guard(GLOBAL)
 include(CheckCXXCompilerFlag)
@@ -26,6 +27,12 @@ include(GoogleTest)
 
 option(POWDERLINK_NATIVE "Compile for this machine's processor (-march=native)" ON)
 option(POWDERLINK_SANITIZE "Address and undefined-behaviour sanitizers in our own code" OFF)
+# Templates of Boost, fmt and OpenFOAM cost more than our own lines: read once for several sources they
+# cost a third. A file that lacks an include shows with OFF, as does clang-tidy.
+option(POWDERLINK_UNITY "Compile several sources of a target at once" ON)
+set(POWDERLINK_UNITY_SOURCES 8 CACHE STRING "Sources that are compiled at once, at most")
+set(CMAKE_UNITY_BUILD ${POWDERLINK_UNITY})
+set(CMAKE_UNITY_BUILD_BATCH_SIZE ${POWDERLINK_UNITY_SOURCES})
 
 add_library(powderlink_flags INTERFACE)
 # Messages name files from the root of the repository.
@@ -50,6 +57,8 @@ endif()
 
 # What users need, without tests and benchmarks: the entry script builds this.
 add_custom_target(programs)
+# What ./powderlink bench runs beside the programs; nothing else needs it.
+add_custom_target(benchmarks)
 # What the sanitizer preset builds.
 add_custom_target(tests_to_sanitize)
 
@@ -103,9 +112,15 @@ function(powderlink_executable name)
 endfunction()
 
 function(powderlink_benchmark name)
-  find_package(benchmark REQUIRED)
-  _powderlink_program(${name} ${ARGN})
-  target_link_libraries(${name} PRIVATE benchmark::benchmark_main)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "OWN_MAIN" "" "")
+  _powderlink_program(${name} ${arg_UNPARSED_ARGUMENTS})
+  if(NOT arg_OWN_MAIN)
+    find_package(benchmark REQUIRED)
+    target_link_libraries(${name} PRIVATE benchmark::benchmark_main)
+  endif()
+  set_target_properties(${name} PROPERTIES EXCLUDE_FROM_ALL ON
+    RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bench_bin)
+  add_dependencies(benchmarks ${name})
 endfunction()
 
 # Sets `variable` to the environment of a test. MPI and the host programs keep memory until exit on

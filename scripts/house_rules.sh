@@ -29,7 +29,7 @@ for file in "${files[@]}"; do
   if ((bytes > max_bytes)); then
     broken "$file" "$bytes bytes, at most $max_bytes; make it smaller or generate it"
   fi
-  if [[ $file == liggghts_styles/models/*.h ]]; then
+  if [[ $file == physics/*.h ]]; then
     lines=$(wc -l <"$file")
     if ((lines > max_law_lines)); then
       broken "$file" "$lines lines, a law has at most $max_law_lines; split it"

@@ -14,7 +14,7 @@
 #include "analysis/evidence/candidate_setting.h"
 #include "analysis/evidence/candidate_solve.h"
 #include "analysis/evidence/candidate_starts.h"
-#include "analysis/evidence/fit_uncertainty.h"
+#include "base/statistics/fit_uncertainty.h"
 #include "analysis/evidence/residual_checks.h"
 
 namespace powderlink::analysis {

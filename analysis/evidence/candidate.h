@@ -20,10 +20,10 @@
 #include <string>
 #include <vector>
 
-#include "analysis/evidence/least_squares.h"
+#include "base/statistics/least_squares.h"
 #include "analysis/evidence/observation.h"
 #include "analysis/evidence/quantity_error.h"
-#include "analysis/evidence/trends.h"
+#include "base/statistics/trends.h"
 
 namespace powderlink::analysis {
 

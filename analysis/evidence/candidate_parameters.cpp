@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "analysis/units.h"
-#include "models/effect_registry.h"
+#include "base/text/units.h"
+#include "physics/effects/effect_registry.h"
 
 namespace powderlink::analysis {
 
@@ -68,10 +68,10 @@ void list_parameters(Candidate& c, const Setting& s, const Study& study) {
   }
   for (std::size_t e = 0; e < c.hypothesis.effects.size(); ++e) {
     const EffectChoice& choice = c.hypothesis.effects[e];
-    const auto& info = *models::find_effect(choice.name).info;
+    const auto& info = *physics::find_effect(choice.name).info;
     for (std::size_t i = 0; i < info.parameters.size(); ++i) {
       if (given_by_rows(study, choice.name, i)) continue;
-      const models::EffectParameter& known = info.parameters[i];
+      const physics::EffectParameter& known = info.parameters[i];
       ParameterEstimate p;
       p.name = known.name;
       p.effect = choice.name;

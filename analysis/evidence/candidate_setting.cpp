@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "models/effect_registry.h"
+#include "physics/effects/effect_registry.h"
 
 namespace powderlink::analysis {
 
@@ -74,20 +74,20 @@ Setting make_setting(const Study& study, const Observations& observations,
              energy.upper_J_m2, s.hypothesis.adhesive_energy_J_m2);
   }
   for (std::size_t e = 0; e < study.effects.size(); ++e) {
-    const auto& info = *models::find_effect(study.effects[e].name).info;
+    const auto& info = *physics::find_effect(study.effects[e].name).info;
     for (const FreeRange& range : study.effects[e].free) {
       if (given_by_rows(study, study.effects[e].name, range.parameter)) continue;
-      const models::EffectParameter& p = info.parameters[range.parameter];
+      const physics::EffectParameter& p = info.parameters[range.parameter];
       add_slot(s,
                {static_cast<int>(e), range.parameter, false, p.plausible_lower, p.plausible_upper},
                p.name, range.lower, range.upper, study.effects[e].parameters[range.parameter]);
     }
   }
   for (const std::string& name : added) {
-    const auto& info = *models::find_effect(name).info;
+    const auto& info = *physics::find_effect(name).info;
     EffectChoice choice{name, {}};
     for (std::size_t i = 0; i < info.parameters.size(); ++i) {
-      const models::EffectParameter& p = info.parameters[i];
+      const physics::EffectParameter& p = info.parameters[i];
       choice.parameters.push_back(p.typical);
       if (given_by_rows(study, name, i)) continue;
       add_slot(s,

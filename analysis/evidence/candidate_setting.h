@@ -4,14 +4,14 @@
 ///
 /// Prior: a value outside its plausible range adds the decades that it is off to the residuals.
 /// Errors: none; the study is valid.
-/// Source: bounds and plausible ranges are those of models/effects.def.
+/// Source: bounds and plausible ranges are those of physics/effects/effects.def.
 /// Tests: tests/analysis/study_fit_test.cpp
 #pragma once
 
 #include <string>
 #include <vector>
 
-#include "analysis/evidence/least_squares.h"
+#include "base/statistics/least_squares.h"
 #include "analysis/evidence/observation.h"
 
 namespace powderlink::analysis {

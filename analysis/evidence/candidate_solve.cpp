@@ -5,8 +5,8 @@
 #include <cmath>
 #include <map>
 
-#include "analysis/critical_diameter.h"
-#include "analysis/critical_speed.h"
+#include "analysis/kat/reduced/critical_diameter.h"
+#include "analysis/kat/reduced/critical_speed.h"
 
 namespace powderlink::analysis {
 

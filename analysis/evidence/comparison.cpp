@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-#include "analysis/critical_diameter.h"
+#include "analysis/kat/reduced/critical_diameter.h"
 #include "analysis/evidence/candidate_parameters.h"
 #include "analysis/evidence/diagnosis.h"
 #include "analysis/evidence/quantity.h"

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "analysis/evidence/candidate.h"
-#include "analysis/evidence/fit_uncertainty.h"
+#include "base/statistics/fit_uncertainty.h"
 
 namespace powderlink::analysis {
 

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file dem_prediction.h
 /// The predictions of a fit, made by LIGGGHTS instead of the reduced model. Runs are reused when
-/// script and programs are the same, and go side by side (kat/kat_runner.h).
+/// script and programs are the same, and go side by side (kat/dem/kat_runner.h).
 /// Tests: tests/analysis/kat_liggghts_test.cpp
 #pragma once
 
 #include <vector>
 
 #include "analysis/evidence/candidate.h"
-#include "analysis/kat/kat_runner.h"
+#include "analysis/kat/dem/kat_runner.h"
 
 namespace powderlink::analysis {
 

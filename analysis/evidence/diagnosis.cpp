@@ -11,7 +11,7 @@
 #include "analysis/evidence/added_effects.h"
 #include "analysis/evidence/residual_checks.h"
 #include "analysis/evidence/verdict_words.h"
-#include "models/effect_registry.h"
+#include "physics/effects/effect_registry.h"
 
 namespace powderlink::analysis {
 
@@ -80,7 +80,7 @@ const Pattern* best_pattern(const std::vector<Pattern>& patterns, const Observat
 
 std::size_t most_parameters(const Study& study, const std::vector<std::string>& added) {
   std::size_t k = 1;
-  for (const std::string& name : added) k += models::find_effect(name).info->parameters.size();
+  for (const std::string& name : added) k += physics::find_effect(name).info->parameters.size();
   for (const EffectChoice& e : study.effects) k += e.free.size();
   return k;
 }
@@ -158,7 +158,7 @@ Diagnosis diagnose(const Study& study, const Observations& observations) {
     }
     if (velocity.size() == observations.list.size())
       d.patterns = foreign_patterns(velocity, baseline.solution.residuals, sigma);
-    for (const models::EffectEntry& entry : models::effect_registry()) {
+    for (const physics::EffectEntry& entry : physics::effect_registry()) {
       const std::string& name = entry.info->name;
       const bool there = std::any_of(study.effects.begin(), study.effects.end(),
                                      [&](const EffectChoice& e) { return e.name == name; });

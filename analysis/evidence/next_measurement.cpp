@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analysis/evidence/fit_uncertainty.h"
-#include "models/effect_registry.h"
+#include "base/statistics/fit_uncertainty.h"
+#include "physics/effects/effect_registry.h"
 
 namespace powderlink::analysis {
 
@@ -49,7 +49,7 @@ Moved moved(const Candidate& c, std::size_t fitted) {
     if (e.effect.empty()) h.adhesive_energy_J_m2 = value;
     for (EffectChoice& choice : h.effects) {
       if (choice.name != e.effect) continue;
-      const auto& known = models::find_effect(choice.name).info->parameters;
+      const auto& known = physics::find_effect(choice.name).info->parameters;
       for (std::size_t i = 0; i < known.size(); ++i) {
         if (known[i].name == e.name) choice.parameters[i] = value;
       }
@@ -90,7 +90,7 @@ std::string decisive_tests(const std::vector<const Candidate*>& leading) {
   std::string text;
   for (const Candidate* c : leading) {
     for (const std::string& name : c->added) {
-      const std::string& test = models::find_effect(name).info->decisive_test;
+      const std::string& test = physics::find_effect(name).info->decisive_test;
       if (!test.empty() && text.find(test) == std::string::npos)
         text += fmt::format("; {}: {}", name, test);
     }

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <iterator>
 
-#include "analysis/critical_diameter.h"
-#include "models/effect_registry.h"
+#include "analysis/kat/reduced/critical_diameter.h"
+#include "physics/effects/effect_registry.h"
 
 namespace powderlink::analysis {
 
@@ -146,7 +146,7 @@ double retained_share(const Study& study, const Hypothesis& h, const KatRow& row
   };
   double scatter = 0.0;
   for (const EffectChoice& e : h.effects) {
-    const double of_effect = models::make_effect(e.name, e.parameters)->adhesion_log_std();
+    const double of_effect = physics::make_effect(e.name, e.parameters)->adhesion_log_std();
     scatter = std::hypot(scatter, of_effect);
   }
   const double critical = critical_um(energy);
@@ -162,7 +162,7 @@ double retained_share(const Study& study, const Hypothesis& h, const KatRow& row
     const auto primitive = [&](double u) {
       const double x = (at - u) / w;
       return -w *
-             (x * normal_cdf(x) + std::exp(-0.5 * x * x) / std::sqrt(2.0 * models::JkrLaw::kPi));
+             (x * normal_cdf(x) + std::exp(-0.5 * x * x) / std::sqrt(2.0 * physics::JkrLaw::kPi));
     };
     share = (primitive(high) - primitive(low)) / (high - low);
   } else {

@@ -23,7 +23,7 @@
 #include <vector>
 
 #include "analysis/evidence/noise.h"
-#include "analysis/study.h"
+#include "analysis/kat/study/study.h"
 
 namespace powderlink::analysis {
 

@@ -4,7 +4,7 @@
 /// Tests: tests/report/study_result_test.cpp, tests/analysis/retention_test.cpp
 #pragma once
 
-#include "analysis/measurements.h"
+#include "analysis/kat/study/measurements.h"
 
 namespace powderlink::analysis {
 

@@ -9,7 +9,7 @@
 #include <string>
 #include <utility>
 
-#include "analysis/evidence/fit_uncertainty.h"
+#include "base/statistics/fit_uncertainty.h"
 
 namespace powderlink::analysis {
 

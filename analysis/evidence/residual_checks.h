@@ -16,9 +16,9 @@
 
 #include <vector>
 
-#include "analysis/evidence/least_squares.h"
+#include "base/statistics/least_squares.h"
 #include "analysis/evidence/observation.h"
-#include "analysis/evidence/trends.h"
+#include "base/statistics/trends.h"
 
 namespace powderlink::analysis {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis/study.h"
+#include "analysis/kat/study/study.h"
 
 namespace powderlink::analysis {
 

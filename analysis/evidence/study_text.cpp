@@ -4,9 +4,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "analysis/study_material.h"
-#include "analysis/toml_text.h"
-#include "models/effect_registry.h"
+#include "analysis/kat/study/study_material.h"
+#include "base/toml/toml_text.h"
+#include "physics/effects/effect_registry.h"
 
 namespace powderlink::analysis {
 
@@ -16,7 +16,7 @@ namespace {
 
 std::string effect_text(const Candidate& c, const EffectChoice& choice) {
   std::string text = fmt::format("\n[effect.{}]\n", choice.name);
-  const auto& known = models::find_effect(choice.name).info->parameters;
+  const auto& known = physics::find_effect(choice.name).info->parameters;
   for (std::size_t i = 0; i < known.size(); ++i) {
     const ParameterEstimate* p = c.find(known[i].name);
     const bool held = p != nullptr && p->role == ParameterEstimate::Role::held;

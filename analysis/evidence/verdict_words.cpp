@@ -9,7 +9,7 @@
 
 #include "analysis/evidence/candidate_parameters.h"
 #include "analysis/evidence/residual_checks.h"
-#include "analysis/units.h"
+#include "base/text/units.h"
 
 namespace powderlink::analysis {
 

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <set>
 
-#include "analysis/gnuplot.h"
-#include "models/invalid_input.h"
+#include "base/gnuplot/gnuplot.h"
+#include "base/invalid_input.h"
 
 namespace powderlink::analysis {
 

@@ -9,11 +9,11 @@
 #include <nlohmann/json.hpp>
 #include <tuple>
 
-#include "analysis/flow/flow_channel.h"
-#include "analysis/flow/flow_observables.h"
-#include "analysis/flow/particle_clock.h"
-#include "analysis/foam/foam_files.h"
-#include "models/invalid_input.h"
+#include "analysis/flow/run/flow_channel.h"
+#include "analysis/flow/observables/flow_observables.h"
+#include "analysis/flow/run/particle_clock.h"
+#include "analysis/flow/foam/foam_files.h"
+#include "base/invalid_input.h"
 
 namespace powderlink::analysis {
 

@@ -11,11 +11,11 @@
 #include <utility>
 #include <vector>
 
-#include "analysis/flow/flow_observable.h"
-#include "analysis/flow/flow_statistics.h"
-#include "analysis/flow/moving_average.h"
-#include "analysis/flow/pressure_profile.h"
-#include "analysis/flow/solver_log.h"
+#include "analysis/flow/observables/flow_observable.h"
+#include "analysis/flow/run/flow_statistics.h"
+#include "analysis/flow/observables/moving_average.h"
+#include "analysis/flow/run/pressure_profile.h"
+#include "analysis/flow/run/solver_log.h"
 
 namespace powderlink::analysis {
 

@@ -11,7 +11,7 @@
 #include <system_error>
 #include <utility>
 
-#include "liggghts_styles/models/invalid_input.h"
+#include "base/invalid_input.h"
 
 namespace powderlink::render {
 namespace fs = std::filesystem;

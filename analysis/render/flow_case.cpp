@@ -22,9 +22,9 @@
 #include <array>
 #include <cmath>
 
-#include "analysis/flow/particle_clock.h"
+#include "analysis/flow/run/particle_clock.h"
 #include "analysis/render/files.h"
-#include "liggghts_styles/models/invalid_input.h"
+#include "base/invalid_input.h"
 
 namespace powderlink::render {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file flow_case.h
 /// A coupled case for the eye: particles of post/particles_*.dump, gas of the OpenFOAM case (serial,
-/// else processor*), both on the clock of the gas (analysis/flow/particle_clock.h).
+/// else processor*), both on the clock of the gas (analysis/flow/run/particle_clock.h).
 /// Tests: tests/render/flow_test.cpp
 #pragma once
 
@@ -12,7 +12,7 @@
 #include <optional>
 #include <vector>
 
-#include "analysis/flow/particle_dump.h"
+#include "analysis/flow/run/particle_dump.h"
 
 namespace powderlink::render {
 

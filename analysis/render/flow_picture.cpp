@@ -23,7 +23,7 @@
 #include <cmath>
 #include <vector>
 
-#include "analysis/flow/flow_channel.h"
+#include "analysis/flow/run/flow_channel.h"
 #include "analysis/render/files.h"
 #include "analysis/render/flow_case.h"
 #include "analysis/render/gl_context.h"
@@ -31,7 +31,7 @@
 #include "analysis/render/palette.h"
 #include "analysis/render/png.h"
 #include "analysis/render/text.h"
-#include "liggghts_styles/models/invalid_input.h"
+#include "base/invalid_input.h"
 
 namespace powderlink::render {
 

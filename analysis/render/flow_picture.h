@@ -2,7 +2,7 @@
 /// \file flow_picture.h
 /// The figure of a coupled run: gas speed in the plane through the middle, the particles before it
 /// with their true radii coloured by speed, in one or more strips along the channel's axis
-/// (analysis/flow/flow_channel.h), which lies to the right with the axis `up` upwards. No display
+/// (analysis/flow/run/flow_channel.h), which lies to the right with the axis `up` upwards. No display
 /// needed.
 /// Tests: tests/render/flow_test.cpp
 #pragma once

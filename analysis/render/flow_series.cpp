@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "analysis/flow/particle_clock.h"
+#include "analysis/flow/run/particle_clock.h"
 #include "analysis/render/files.h"
 #include "analysis/render/flow_case.h"
 #include "analysis/render/pvd.h"

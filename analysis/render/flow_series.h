@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file flow_series.h
 /// A coupled run for ParaView: CASE/particles.pvd, its states in CASE/vtk/, and CASE/case.foam,
-/// all at the times of the gas (analysis/flow/particle_clock.h), so that they play as one series. What
+/// all at the times of the gas (analysis/flow/run/particle_clock.h), so that they play as one series. What
 /// LIGGGHTS did before the first exchange has negative times.
 /// Tests: tests/render/flow_test.cpp
 #pragma once

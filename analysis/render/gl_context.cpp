@@ -9,7 +9,7 @@
 #include <cstdlib>
 
 #include "analysis/render/glew_without_display.h"
-#include "liggghts_styles/models/invalid_input.h"
+#include "base/invalid_input.h"
 
 namespace powderlink::render {
 namespace {

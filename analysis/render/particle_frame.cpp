@@ -14,7 +14,7 @@
 #include <cstdio>
 #include <sstream>
 
-#include "liggghts_styles/models/invalid_input.h"
+#include "base/invalid_input.h"
 
 namespace powderlink::render {
 namespace {

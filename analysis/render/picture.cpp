@@ -16,7 +16,7 @@
 #include "analysis/render/legend.h"
 #include "analysis/render/png.h"
 #include "analysis/render/scene.h"
-#include "liggghts_styles/models/invalid_input.h"
+#include "base/invalid_input.h"
 
 namespace powderlink::render {
 namespace {

@@ -13,7 +13,7 @@
 #include <vtkSTLReader.h>
 
 #include "analysis/render/particle_frame.h"
-#include "liggghts_styles/models/invalid_input.h"
+#include "base/invalid_input.h"
 
 namespace powderlink::render {
 namespace {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <sstream>
 
-#include "liggghts_styles/models/invalid_input.h"
+#include "base/invalid_input.h"
 
 namespace powderlink::render {
 

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "analysis/render/files.h"
-#include "liggghts_styles/models/invalid_input.h"
+#include "base/invalid_input.h"
 
 namespace powderlink::render {
 namespace fs = std::filesystem;

@@ -5,7 +5,7 @@
 #include <regex>
 
 #include "analysis/report/typeset.h"
-#include "analysis/units.h"
+#include "base/text/units.h"
 
 namespace powderlink::analysis {
 

@@ -3,7 +3,7 @@
 
 #include <regex>
 
-#include "models/invalid_input.h"
+#include "base/invalid_input.h"
 
 namespace powderlink::analysis {
 

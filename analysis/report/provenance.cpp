@@ -10,8 +10,8 @@
 #include <ctime>
 
 #include "analysis/build_commit.h"
-#include "analysis/file_text.h"
-#include "analysis/kat/child_process.h"
+#include "base/files/file_text.h"
+#include "base/process/child_process.h"
 
 namespace powderlink::analysis {
 

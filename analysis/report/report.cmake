@@ -2,13 +2,13 @@
 set(report_include ${CMAKE_CURRENT_BINARY_DIR}/made)
 set(report_made ${report_include}/report_template.cpp ${report_include}/analysis/build_commit.h)
 foreach(template IN ITEMS report figure parameters)
-  set(file ${CMAKE_CURRENT_SOURCE_DIR}/report/${template}.html.in)
+  set(file ${CMAKE_CURRENT_SOURCE_DIR}/${template}.html.in)
   file(READ ${file} text)
   string(TOUPPER ${template} name)
   set(POWDERLINK_TEMPLATE_${name} "${text}")
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
 endforeach()
-configure_file(report/report_template.cpp.in ${report_include}/report_template.cpp @ONLY)
+configure_file(report_template.cpp.in ${report_include}/report_template.cpp @ONLY)
 
 # Made again when HEAD moves: the log of HEAD grows with every commit and checkout.
 set(commit_depends)

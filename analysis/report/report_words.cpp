@@ -13,7 +13,7 @@
 #include "analysis/report/column_title.h"
 #include "analysis/report/typeset.h"
 #include "analysis/report/value_range.h"
-#include "analysis/units.h"
+#include "base/text/units.h"
 
 namespace powderlink::analysis {
 

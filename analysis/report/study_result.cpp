@@ -8,8 +8,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "analysis/file_text.h"
-#include "models/invalid_input.h"
+#include "base/files/file_text.h"
+#include "base/invalid_input.h"
 
 namespace powderlink::analysis {
 

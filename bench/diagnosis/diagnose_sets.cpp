@@ -14,10 +14,10 @@
 #include <set>
 #include <thread>
 
-#include "analysis/csv_table.h"
+#include "base/csv/csv_table.h"
 #include "analysis/evidence/diagnosis.h"
-#include "analysis/text_table.h"
-#include "analysis/write_file.h"
+#include "base/text/text_table.h"
+#include "base/files/write_file.h"
 
 namespace {
 

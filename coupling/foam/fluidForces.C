@@ -5,7 +5,7 @@
 #include "fvcGrad.H"
 #include "viscousStress.H"
 
-#include "coupling/forces/force_registry.h"
+#include "physics/fluid_forces/force_registry.h"
 
 namespace forces = powderlink::forces;
 

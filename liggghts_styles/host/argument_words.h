@@ -9,7 +9,7 @@
 
 #include <boost/lexical_cast.hpp>
 
-#include "models/invalid_input.h"
+#include "base/invalid_input.h"
 
 namespace powderlink::host {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "host/atom_order.h"
+#include "liggghts_styles/host/atom_order.h"
 
 #include <algorithm>
 #include <numeric>

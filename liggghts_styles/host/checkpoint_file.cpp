@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "host/checkpoint_file.h"
+#include "liggghts_styles/host/checkpoint_file.h"
 
 #include <cerrno>
 #include <cstdio>
@@ -20,8 +20,8 @@
 #include "neighbor.h"
 #include "write_restart.h"
 
-#include "host/atom_order.h"
-#include "host/shared_text.h"
+#include "liggghts_styles/host/atom_order.h"
+#include "liggghts_styles/host/shared_text.h"
 
 namespace powderlink::host {
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "host/insertion_state.h"
+#include "liggghts_styles/host/insertion_state.h"
 
 #include <iterator>
 #include <map>
 #include <type_traits>
 
-#include "host/liggghts_headers.h"
+#include "liggghts_styles/host/liggghts_headers.h"
 
 #include "domain.h"
 #include "fix_insert_pack.h"
@@ -14,8 +14,8 @@
 #include "random_park.h"
 #include "region.h"
 
-#include "host/owner_mark.h"
-#include "host/private_access.h"
+#include "liggghts_styles/host/owner_mark.h"
+#include "liggghts_styles/host/private_access.h"
 
 POWDERLINK_PRIVATE_MEMBER(Seed, LAMMPS_NS::Random, seed, int)
 POWDERLINK_PRIVATE_MEMBER(HasSecond, LAMMPS_NS::RanPark, save, int)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "host/last_error.h"
+#include "liggghts_styles/host/last_error.h"
 
 namespace powderlink::host {
 

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "host/massflow_state.h"
+#include "liggghts_styles/host/massflow_state.h"
 
 #include <cstddef>
 
-#include "host/liggghts_headers.h"
+#include "liggghts_styles/host/liggghts_headers.h"
 
 #include "fix_massflow_mesh.h"
 #include "modify.h"
 
-#include "host/owner_mark.h"
-#include "host/private_access.h"
+#include "liggghts_styles/host/owner_mark.h"
+#include "liggghts_styles/host/private_access.h"
 
 POWDERLINK_PRIVATE_MEMBER(MassflowNumber, LAMMPS_NS::FixMassflowMesh, nparticles_, double)
 POWDERLINK_PRIVATE_MEMBER(MassflowSum, LAMMPS_NS::FixMassflowMesh, property_sum_, double)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "host/read_restart_command.h"
+#include "liggghts_styles/host/read_restart_command.h"
 
 #include <algorithm>
 #include <exception>
@@ -11,9 +11,9 @@
 #include "lammps.h"
 #include "read_restart.h"
 
-#include "files/restart_file.h"
-#include "host/shared_text.h"
-#include "host/stop_all.h"
+#include "liggghts_styles/host/restart_file.h"
+#include "liggghts_styles/host/shared_text.h"
+#include "liggghts_styles/host/stop_all.h"
 
 namespace powderlink::host {
 

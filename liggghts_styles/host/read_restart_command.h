@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file read_restart_command.h
-/// `read_restart FILE` of LIGGGHTS, once it is known that the file is whole (files/restart_file.h). Of a
+/// `read_restart FILE` of LIGGGHTS, once it is known that the file is whole (liggghts_styles/host/restart_file.h). Of a
 /// file that breaks off LIGGGHTS itself makes particles of what is in its memory, or waits for ever.
 #pragma once
 

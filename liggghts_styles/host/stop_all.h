@@ -15,7 +15,7 @@
 #include "fix.h"
 #include "lammps.h"
 
-#include "host/last_error.h"
+#include "liggghts_styles/host/last_error.h"
 
 namespace powderlink::host {
 

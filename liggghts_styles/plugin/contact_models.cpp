@@ -2,12 +2,12 @@
 /// Registers `jkr` with every tangential and rolling model that it supports, `hertz` with tangential
 /// model `spring_slider_dashpot`, and answers every other combination of these two with LIGGGHTS's
 /// models by name instead of LIGGGHTS's "Unknown normal model".
-#include "plugin/contact_models.h"
+#include "liggghts_styles/plugin/contact_models.h"
 
 #include <string>
 
-#include "host/contact_model_jkr.h"
-#include "host/stop_all.h"
+#include "liggghts_styles/contact/contact_model_jkr.h"
+#include "liggghts_styles/host/stop_all.h"
 
 namespace powderlink::plugin {
 

@@ -14,9 +14,9 @@
 #include "lammps.h"
 #include "pointers.h"
 
-#include "host/stop_all.h"
-#include "plugin/mpi_process.h"
-#include "plugin/styles.h"
+#include "liggghts_styles/host/stop_all.h"
+#include "liggghts_styles/plugin/mpi_process.h"
+#include "liggghts_styles/plugin/styles.h"
 
 namespace LAMMPS_NS {
 

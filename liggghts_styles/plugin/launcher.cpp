@@ -11,7 +11,7 @@
 #include "lammps.h"
 #include "signal_handling.h"
 
-#include "plugin/styles.h"
+#include "liggghts_styles/plugin/styles.h"
 
 namespace {
 

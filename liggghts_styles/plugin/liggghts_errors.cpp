@@ -10,7 +10,7 @@
 #include "error.h"
 #include "fix.h"
 
-#include "host/last_error.h"
+#include "liggghts_styles/host/last_error.h"
 
 namespace powderlink::plugin {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "plugin/mpi_process.h"
+#include "liggghts_styles/plugin/mpi_process.h"
 
 #include <cstdio>
 #include <cstdlib>
@@ -10,10 +10,10 @@
 
 #include "lammps.h"
 
-#include "coupling/bridge/mpi_world.h"
-#include "coupling/bridge/own_world.h"
-#include "host/coupled_world.h"
-#include "host/last_error.h"
+#include "coupling/bridge/transport/mpi_world.h"
+#include "coupling/bridge/transport/own_world.h"
+#include "liggghts_styles/couple_bridge/coupled_world.h"
+#include "liggghts_styles/host/last_error.h"
 
 namespace powderlink::plugin {
 

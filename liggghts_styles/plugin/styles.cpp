@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "plugin/styles.h"
+#include "liggghts_styles/plugin/styles.h"
 
 #include <map>
 #include <string>
@@ -11,13 +11,13 @@
 #include "lammps.h"
 #include "modify.h"
 
-#include "host/fix_adhesion_effect.h"
-#include "host/fix_couple_bridge.h"
-#include "host/fix_kat_drop.h"
-#include "host/kat_run_command.h"
-#include "host/private_access.h"
-#include "host/read_restart_command.h"
-#include "plugin/contact_models.h"
+#include "liggghts_styles/contact/fix_adhesion_effect.h"
+#include "liggghts_styles/couple_bridge/fix_couple_bridge.h"
+#include "liggghts_styles/kat_drop/fix_kat_drop.h"
+#include "liggghts_styles/kat_drop/kat_run_command.h"
+#include "liggghts_styles/host/private_access.h"
+#include "liggghts_styles/host/read_restart_command.h"
+#include "liggghts_styles/plugin/contact_models.h"
 
 using FixCreator = LAMMPS_NS::Fix* (*)(LAMMPS_NS::LAMMPS*, int, char**);
 using CommandCreator = void (*)(LAMMPS_NS::LAMMPS*, int, char**);

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "analysis/critical_diameter.h"
+#include "analysis/kat/reduced/critical_diameter.h"
 
 #include <gtest/gtest.h>
 
-#include "analysis/material_library.h"
+#include "analysis/kat/study/material_library.h"
 
 namespace powderlink::analysis {
 namespace {
 
-KatSetup glass(double energy, const models::StopPulse& stop = models::StopPulse::instant()) {
+KatSetup glass(double energy, const physics::StopPulse& stop = physics::StopPulse::instant()) {
   KatSetup s;
   s.particle = s.substrate = find_material("borosilicate_glass");
   s.work_of_adhesion_J_m2 = energy;
@@ -42,11 +42,11 @@ TEST(CriticalDiameter, SaysWhenEverythingLeavesOrNothingDoes) {
 TEST(CriticalDiameter, TheoryNamesItsLimit) {
   EXPECT_STREQ(theory_diameter(ReducedModel(glass(50.0)), 2.0).limit, "instant stop");
   EXPECT_STREQ(
-      theory_diameter(ReducedModel(glass(0.09, models::StopPulse::half_sine(1e-4))), 3.0).limit,
+      theory_diameter(ReducedModel(glass(0.09, physics::StopPulse::half_sine(1e-4))), 3.0).limit,
       "slow stop");
   // A stop of a nanosecond is instant for every grain.
   EXPECT_STREQ(
-      theory_diameter(ReducedModel(glass(50.0, models::StopPulse::half_sine(1e-9))), 2.0).limit,
+      theory_diameter(ReducedModel(glass(50.0, physics::StopPulse::half_sine(1e-9))), 2.0).limit,
       "instant stop");
 }
 

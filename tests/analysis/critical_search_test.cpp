@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "analysis/kat/critical_search.h"
+#include "analysis/kat/dem/critical_search.h"
 
 #include <gtest/gtest.h>
 

@@ -1,28 +1,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The shortcuts to d_c against the integration that they replace, and against closed forms.
-#include "analysis/critical_speed.h"
+#include "analysis/kat/reduced/critical_speed.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "analysis/critical_diameter.h"
-#include "analysis/material_library.h"
-#include "analysis/universal_tables.h"
-#include "models/effect_registry.h"
-#include "models/kat_theory.h"
+#include "analysis/kat/reduced/critical_diameter.h"
+#include "analysis/kat/study/material_library.h"
+#include "analysis/kat/reduced/universal_tables.h"
+#include "physics/effects/effect_registry.h"
+#include "physics/kat/kat_theory.h"
 
 namespace powderlink::analysis {
 namespace {
 
-using models::StopPulse;
+using physics::StopPulse;
 
 KatSetup glass(double energy, const std::string& effect = "",
                const std::vector<double>& parameters = {}) {
   KatSetup s;
   s.particle = s.substrate = find_material("borosilicate_glass");
   s.work_of_adhesion_J_m2 = energy;
-  if (!effect.empty()) s.effects = {models::make_effect(effect, parameters)};
+  if (!effect.empty()) s.effects = {physics::make_effect(effect, parameters)};
   return s;
 }
 
@@ -64,7 +64,7 @@ TEST(CriticalSpeed, InstantStopIsTheClosedForm) {
   s.gravity_m_s2 = 0.0;
   const ReducedModel model(s);
   const double closed =
-      models::critical_speed_instant_m_s(model.smooth_law(), 30e-6, s.particle.density_kg_m3);
+      physics::critical_speed_instant_m_s(model.smooth_law(), 30e-6, s.particle.density_kg_m3);
   constexpr double rounding = 1e-9;  // of the rest position, found to 45 bits
   EXPECT_NEAR(CriticalSpeed(model).speed_change_m_s(60e-6) / closed, 1.0, rounding);
 }
@@ -85,7 +85,7 @@ TEST(CriticalSpeed, SaysWhenItDoesNotKnow) {
   damped.restitution = 0.9;
   EXPECT_FALSE(CriticalSpeed(ReducedModel(damped)).available());
   KatSetup two = glass(0.1, "finite_stop_pulse", {1e-4, 0.0});
-  two.effects.push_back(models::make_effect("electrostatic_image_force", {2e-5}));
+  two.effects.push_back(physics::make_effect("electrostatic_image_force", {2e-5}));
   const ReducedModel both(two);
   EXPECT_FALSE(CriticalSpeed(both).available());
   EXPECT_TRUE(CriticalSpeed(both, true).available());

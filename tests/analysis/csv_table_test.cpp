@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Forms of one table: as spreadsheets of several countries, ImageJ and numpy write it.
-#include "analysis/csv_table.h"
+#include "base/csv/csv_table.h"
 
 #include <gtest/gtest.h>
 
-#include "analysis/csv_record.h"
-#include "analysis/csv_units.h"
+#include "base/csv/csv_record.h"
+#include "base/csv/csv_units.h"
 #include "tests/analysis/test_files.h"
 
 namespace powderlink::analysis {

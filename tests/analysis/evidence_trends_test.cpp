@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Tests of residuals against exact values and against their own false-alarm rates.
-#include "analysis/evidence/trends.h"
+#include "base/statistics/trends.h"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 
 #include <cstdlib>
 
-#include "analysis/flow/particle_dump.h"
+#include "analysis/flow/run/particle_dump.h"
 #include "tests/analysis/test_files.h"
 
 namespace powderlink::analysis {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "analysis/flow/particle_dump.h"
+#include "analysis/flow/run/particle_dump.h"
 
 #include "tests/analysis/flow_case.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "analysis/flow/flow_observables.h"
+#include "analysis/flow/observables/flow_observables.h"
 
 #include <algorithm>
 #include <boost/math/distributions/chi_squared.hpp>
@@ -7,13 +7,13 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
-#include "analysis/flow/channel_bins.h"
-#include "analysis/flow/cluster_runs.h"
-#include "analysis/flow/counting_floor.h"
-#include "analysis/flow/elbow.h"
+#include "analysis/flow/observables/channel_bins.h"
+#include "analysis/flow/observables/cluster_runs.h"
+#include "analysis/flow/observables/counting_floor.h"
+#include "analysis/flow/observables/elbow.h"
 #include "analysis/flow/flow_report.h"
-#include "analysis/flow/momentum_account.h"
-#include "analysis/flow/run_tables.h"
+#include "analysis/flow/observables/momentum_account.h"
+#include "analysis/flow/run/run_tables.h"
 #include "tests/analysis/flow_case.h"
 
 namespace powderlink::analysis {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "analysis/flow/flow_statistics.h"
+#include "analysis/flow/run/flow_statistics.h"
 
 #include <boost/math/distributions/normal.hpp>
 #include <cmath>
 #include <random>
 
-#include "analysis/flow/moving_average.h"
+#include "analysis/flow/observables/moving_average.h"
 #include "tests/analysis/flow_case.h"
 
 namespace powderlink::analysis {

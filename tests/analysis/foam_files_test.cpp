@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "analysis/foam/foam_files.h"
+#include "analysis/flow/foam/foam_files.h"
 
 #include <zlib.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Every method for Gamma against a closed form or a limit; the thesis's cases with its errata.
-#include "analysis/laboratory/gamma_method.h"
+#include "analysis/kat/experiment/gamma_method.h"
 
 #include <gtest/gtest.h>
 
@@ -8,15 +8,15 @@
 #include <functional>
 #include <map>
 
-#include "analysis/critical_diameter.h"
-#include "analysis/laboratory/contact_radii.h"
-#include "analysis/laboratory/kat_analysis.h"
-#include "analysis/laboratory/methods/contact_radius.h"
-#include "analysis/laboratory/methods/deceleration.h"
-#include "analysis/laboratory/methods/energy.h"
-#include "analysis/laboratory/methods/finite_stop.h"
-#include "analysis/laboratory/methods/rebound_time.h"
-#include "analysis/material_library.h"
+#include "analysis/kat/reduced/critical_diameter.h"
+#include "analysis/kat/experiment/contact_radii.h"
+#include "analysis/kat/experiment/kat_analysis.h"
+#include "analysis/kat/experiment/methods/contact_radius.h"
+#include "analysis/kat/experiment/methods/deceleration.h"
+#include "analysis/kat/experiment/methods/energy.h"
+#include "analysis/kat/experiment/methods/finite_stop.h"
+#include "analysis/kat/experiment/methods/rebound_time.h"
+#include "analysis/kat/study/material_library.h"
 #include "tests/analysis/test_files.h"
 
 namespace powderlink::analysis {
@@ -39,8 +39,8 @@ void check_energy() {
   // The energy method inverts the critical diameter.
   for (const double gamma : {0.05, 17.0}) {
     KatDrop d = drop_of("UPVC", 1.4, 1.0);
-    d.critical_diameter_m = models::critical_diameter_instant_m(
-        models::JkrLaw(d.modulus_Pa(), gamma), d.particle.density_kg_m3, 1.4);
+    d.critical_diameter_m = physics::critical_diameter_instant_m(
+        physics::JkrLaw(d.modulus_Pa(), gamma), d.particle.density_kg_m3, 1.4);
     EXPECT_NEAR(Energy::gamma_J_m2(d) / gamma, 1.0, 1e3 * kClosedForm);
   }
   // Thesis, Section 4.4, recomputed (errata).
@@ -62,7 +62,7 @@ void check_finite_stop() {
   KatDrop d = drop_of("UPVC", 1.4, 46.0);
   // Slow limit: m A = 1.5 pi Gamma R with the peak of a half-sine, less gravity (1e-3 of A).
   d.contact_time_s = 2e-3;
-  const double pi = models::JkrLaw::kPi;
+  const double pi = physics::JkrLaw::kPi;
   const double peak = pi * 1.4 / (2.0 * 2e-3) + 9.81;
   const double slow = 8.0 / 9.0 * 7980.0 * std::pow(23e-6, 2) * peak;
   EXPECT_NEAR(FiniteStop::gamma_J_m2(d) / slow, 1.0, kTable);
@@ -79,22 +79,22 @@ void check_finite_stop() {
   setup.particle = d.particle;
   setup.substrate = d.substrate;
   setup.work_of_adhesion_J_m2 = FiniteStop::gamma_J_m2(d);
-  setup.stop = models::StopPulse::half_sine(3e-6, 0.5);
+  setup.stop = physics::StopPulse::half_sine(3e-6, 0.5);
   EXPECT_NEAR(critical_diameter(ReducedModel(setup), 1.4).diameter_m / 46e-6, 1.0, kTable);
 }
 
 void check_deceleration() {
   // Pull-off force of Gamma over the mass of a 46 um sphere.
   KatDrop d = drop_of("UPVC", 1.4, 46.0);
-  const models::JkrLaw law(d.modulus_Pa(), 0.08);
-  d.deceleration_m_s2 = law.pull_off_force_N(23e-6) / models::sphere_mass_kg(23e-6, 7980.0);
+  const physics::JkrLaw law(d.modulus_Pa(), 0.08);
+  d.deceleration_m_s2 = law.pull_off_force_N(23e-6) / physics::sphere_mass_kg(23e-6, 7980.0);
   EXPECT_NEAR(Deceleration::gamma_J_m2(d) / 0.08, 1.0, kClosedForm);
 }
 
 void check_contact_radius() {
   // The a0 that goes with 19.8 J/m^2 (thesis, UPVC) gives it back, and is the first dark ring.
   UncertainDrop u{drop_of("UPVC", 1.4, 46.0), {}};
-  const double a0 = models::JkrLaw(u.best.modulus_Pa(), 19.8).equilibrium_contact_radius_m(23e-6);
+  const double a0 = physics::JkrLaw(u.best.modulus_Pa(), 19.8).equilibrium_contact_radius_m(23e-6);
   u.best.contact_radii = {{a0, 23e-6, 550e-9}, {a0, 23e-6, 550e-9}};
   EXPECT_NEAR(1e6 * a0, 3.57, 0.005);
   EXPECT_NEAR(1e6 * dark_ring_m(u.best.contact_radii[0]), 3.56, 0.005);
@@ -105,7 +105,7 @@ void check_contact_radius() {
   // 316L on glass: 95.4 J/m^2, and the first bright ring.
   u.best.substrate = find_material("borosilicate_glass");
   const double glass =
-      models::JkrLaw(u.best.modulus_Pa(), 95.4).equilibrium_contact_radius_m(26.5e-6);
+      physics::JkrLaw(u.best.modulus_Pa(), 95.4).equilibrium_contact_radius_m(26.5e-6);
   u.best.contact_radii = {{glass, 26.5e-6, 550e-9}};
   const GammaEstimate bright = *ContactRadiusAtRest::estimate(u);
   EXPECT_NEAR(bright.value / 95.4, 1.0, 1e3 * kClosedForm);

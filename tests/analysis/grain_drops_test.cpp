@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Studies of retained shares from tables of grains: Gamma and scatter come back, cells are checked.
-#include "analysis/laboratory/grain_drops.h"
+#include "analysis/kat/experiment/grain_drops.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "analysis/evidence/comparison.h"
-#include "analysis/study.h"
-#include "models/kat_theory.h"
+#include "analysis/kat/study/study.h"
+#include "physics/kat/kat_theory.h"
 #include "tests/analysis/retention_sample.h"
 #include "tests/analysis/test_files.h"
 
@@ -53,8 +53,8 @@ TEST(GrainDrops, AStudyFindsGammaAndScatter) {
   ASSERT_GT(s.rows.size(), 15U);
   EXPECT_NEAR(*s.rows[0].area_ratio, 0.7, 0.05);
   const Comparison c = compare(s, observe(s));
-  const double gamma = models::adhesive_energy_instant_J_m2(
-      models::effective_youngs_modulus_Pa(s.particle, s.substrate), s.particle.density_kg_m3,
+  const double gamma = physics::adhesive_energy_instant_J_m2(
+      physics::effective_youngs_modulus_Pa(s.particle, s.substrate), s.particle.density_kg_m3,
       kVelocity, 46e-6);
   // d_c of 3 000 grains to about 1 %; Gamma ~ d_c, so that the width is that of ln Gamma.
   EXPECT_NEAR(c.fit.find("adhesive_energy_J_m2")->value / gamma, 1.0, 0.04);

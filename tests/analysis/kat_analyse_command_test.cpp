@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "analysis/study.h"
+#include "analysis/kat/study/study.h"
 #include "tests/analysis/command_line.h"
 #include "tests/analysis/retention_sample.h"
 

@@ -7,7 +7,7 @@
 #include <chrono>
 #include <csignal>
 
-#include "analysis/csv_table.h"
+#include "base/csv/csv_table.h"
 #include "tests/analysis/command_line.h"
 #include "tests/firmware/simulated_device.h"
 

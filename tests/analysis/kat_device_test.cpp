@@ -7,8 +7,8 @@
 #include <random>
 #include <sstream>
 
-#include "analysis/kat_device/device_velocity.h"
-#include "analysis/study.h"
+#include "analysis/kat/device/device_velocity.h"
+#include "analysis/kat/study/study.h"
 #include "tests/analysis/command_line.h"
 #include "tests/firmware/simulated_device.h"
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "analysis/kat/kat_output.h"
+#include "analysis/kat/dem/kat_output.h"
 
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
 
-#include "analysis/csv_table.h"
+#include "base/csv/csv_table.h"
 #include "tests/analysis/test_files.h"
 
 namespace powderlink::analysis {

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Child processes, runs and the runner, with a stand-in for LIGGGHTS.
-#include "analysis/kat/kat_runner.h"
+#include "analysis/kat/dem/kat_runner.h"
 
 #include <gtest/gtest.h>
 
 #include <chrono>
 #include <cstdlib>
 
-#include "analysis/kat/child_process.h"
-#include "analysis/kat/progress.h"
-#include "analysis/material_library.h"
+#include "base/process/child_process.h"
+#include "base/process/progress.h"
+#include "analysis/kat/study/material_library.h"
 #include "tests/analysis/steel_drop.h"
 #include "tests/analysis/test_files.h"
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "analysis/kat_theory_report.h"
+#include "analysis/kat/theory/kat_theory_report.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "analysis/material_library.h"
-#include "models/kat_theory.h"
+#include "analysis/kat/study/material_library.h"
+#include "physics/kat/kat_theory.h"
 #include "tests/analysis/test_files.h"
 
 namespace powderlink::analysis {
@@ -37,8 +37,8 @@ TEST(KatTheoryReport, DropTestOfZafar) {
     constexpr double last_printed_digit = 1e-4;
     EXPECT_NEAR(answer(kat_theory_report(in), "adhesive_energy_instant_J_m2") / energy[i], 1.0,
                 last_printed_digit);
-    const double modulus = models::effective_youngs_modulus_Pa(in.particle, in.substrate);
-    EXPECT_NEAR(models::rebound_time_s(modulus, 2510.0, 0.5e-6 * d[i], v[i]) * 1e9,
+    const double modulus = physics::effective_youngs_modulus_Pa(in.particle, in.substrate);
+    EXPECT_NEAR(physics::rebound_time_s(modulus, 2510.0, 0.5e-6 * d[i], v[i]) * 1e9,
                 rebound_time_ns[i], 0.15);
   }
 }
@@ -88,7 +88,7 @@ TEST(KatTheoryReport, ContactOfTheThesis) {
   in.critical_diameter_um = 46.0;
   const KatTheoryReport r = kat_theory_report(in);
   const double energy = answer(r, "adhesive_energy_J_m2");
-  EXPECT_DOUBLE_EQ(answer(r, "pull_off_N"), 1.5 * models::JkrLaw::kPi * energy * 23e-6);
+  EXPECT_DOUBLE_EQ(answer(r, "pull_off_N"), 1.5 * physics::JkrLaw::kPi * energy * 23e-6);
   EXPECT_NEAR(answer(r, "k_Pa"), 4.0 / 3.0 / (0.91 / 2.11e11 + 0.91 / 3e9), 1.0);
   EXPECT_EQ(r.adhesion_theory, "JKR");
 }

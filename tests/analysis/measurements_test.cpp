@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "analysis/measurements.h"
+#include "analysis/kat/study/measurements.h"
 
 #include <gtest/gtest.h>
 
-#include "analysis/checks.h"
+#include "analysis/kat/study/checks.h"
 #include "tests/analysis/test_files.h"
 
 namespace powderlink::analysis {

@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "analysis/evidence/candidate.h"
-#include "analysis/material_library.h"
+#include "analysis/kat/study/material_library.h"
 
 namespace powderlink::analysis {
 namespace {

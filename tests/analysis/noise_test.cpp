@@ -9,7 +9,7 @@
 
 #include "analysis/evidence/candidate.h"
 #include "analysis/evidence/comparison.h"
-#include "analysis/material_library.h"
+#include "analysis/kat/study/material_library.h"
 
 namespace powderlink::analysis {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "analysis/flow/particle_clock.h"
+#include "analysis/flow/run/particle_clock.h"
 
 #include "analysis/flow/flow_report.h"
 #include "tests/analysis/flow_case.h"

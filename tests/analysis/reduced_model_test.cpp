@@ -1,22 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "analysis/reduced_model.h"
+#include "analysis/kat/reduced/reduced_model.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <vector>
 
-#include "analysis/critical_diameter.h"
-#include "analysis/material_library.h"
-#include "models/effect_registry.h"
-#include "models/kat_theory.h"
+#include "analysis/kat/reduced/critical_diameter.h"
+#include "analysis/kat/study/material_library.h"
+#include "physics/effects/effect_registry.h"
+#include "physics/kat/kat_theory.h"
 #include "tests/analysis/test_files.h"
 
 namespace powderlink::analysis {
 namespace {
 
-using models::JkrLaw;
-using models::StopPulse;
+using physics::JkrLaw;
+using physics::StopPulse;
 
 KatSetup steel_on_upvc(double energy = 17.175) {
   KatSetup s;
@@ -34,9 +34,9 @@ KatSetup glass_on_glass(double energy, const StopPulse& stop) {
   return s;
 }
 
-std::vector<std::shared_ptr<const models::Effect>> effect(const std::string& name,
+std::vector<std::shared_ptr<const physics::Effect>> effect(const std::string& name,
                                                           const std::vector<double>& parameters) {
-  return {models::make_effect(name, parameters)};
+  return {physics::make_effect(name, parameters)};
 }
 
 double critical_um(const KatSetup& s, double v, double tolerance = 1e-6) {
@@ -107,9 +107,9 @@ TEST(ReducedModel, ResidualSpeedIsWhatTheBarrierLeaves) {
   s.gravity_m_s2 = 0.0;
   const ReducedModel model(s);
   const double radius = 25e-6;
-  const double mass = models::sphere_mass_kg(radius, s.particle.density_kg_m3);
+  const double mass = physics::sphere_mass_kg(radius, s.particle.density_kg_m3);
   const double left =
-      1.40 * 1.40 - 2.0 * models::detachment_work_J(model.smooth_law(), radius) / mass;
+      1.40 * 1.40 - 2.0 * physics::detachment_work_J(model.smooth_law(), radius) / mass;
   const DropOutcome out = model.drop(2.0 * radius, 1.40);
   EXPECT_TRUE(out.detached);
   EXPECT_NEAR(out.speed_m_s / std::sqrt(left), 1.0, 2e-3);  // the last step of the neck
@@ -132,7 +132,7 @@ TEST(ReducedModel, InstantStopIsEquation45) {
   s.gravity_m_s2 = 0.0;
   for (const double v : {0.5, 1.4, 5.0}) {
     const double theory =
-        models::critical_diameter_instant_m(ReducedModel(s).smooth_law(), 7980.0, v);
+        physics::critical_diameter_instant_m(ReducedModel(s).smooth_law(), 7980.0, v);
     EXPECT_NEAR(critical_um(s, v) * 1e-6 / theory, 1.0, 1e-4) << v;
   }
 }
@@ -160,7 +160,7 @@ TEST(ReducedModel, SlowStopIsTheQuasiStaticPullOff) {
   KatSetup s = glass_on_glass(0.09, StopPulse::half_sine(1e-3, 0.5));
   s.gravity_m_s2 = 0.0;
   const double a = s.stop.peak_deceleration_m_s2(3.0);
-  const double slow = models::critical_diameter_slow_m(0.09, 2510.0, a) * 1e6;
+  const double slow = physics::critical_diameter_slow_m(0.09, 2510.0, a) * 1e6;
   EXPECT_NEAR(critical_um(s, 3.0, 1e-5) / slow, 1.0, 2e-3);
 }
 
@@ -232,7 +232,7 @@ TEST(ReducedModel, CapillaryBridgeTakesItsEnergy) {
     const double force = 4.0 * JkrLaw::kPi * radius * tension;
     const double indentation = std::pow(0.75 * force / (modulus * std::sqrt(radius)), 2.0 / 3.0);
     const double work = force * (reach * radius + 0.6 * indentation);
-    EXPECT_NEAR(0.5 * models::sphere_mass_kg(radius, 2510.0) * v * v / work, 1.0, 1e-3)
+    EXPECT_NEAR(0.5 * physics::sphere_mass_kg(radius, 2510.0) * v * v / work, 1.0, 1e-3)
         << v;  // Gamma is not quite zero
   }
 }
@@ -245,7 +245,7 @@ TEST(ReducedModel, RoughnessLowersGammaWithSize) {
     const double d = critical_um(s, v) * 1e-6;
     const JkrLaw rough(ReducedModel(s).smooth_law().effective_modulus_Pa(),
                        17.175 / (1.0 + 0.5 * d / 1e-5));
-    EXPECT_NEAR(models::critical_speed_instant_m_s(rough, 0.5 * d, 7980.0) / v, 1.0, 1e-4);
+    EXPECT_NEAR(physics::critical_speed_instant_m_s(rough, 0.5 * d, 7980.0) / v, 1.0, 1e-4);
   }
 }
 
@@ -260,10 +260,10 @@ TEST(ReducedModel, FiniteStopEffectIsTheStop) {
 /// with classical Runge-Kutta: neither the integrator nor AdhesiveContact is shared.
 bool leaves_by_runge_kutta(const KatSetup& s, double diameter, double v, double v_star,
                            double exponent) {
-  const double modulus = models::effective_youngs_modulus_Pa(s.particle, s.substrate);
+  const double modulus = physics::effective_youngs_modulus_Pa(s.particle, s.substrate);
   const double gamma = s.work_of_adhesion_J_m2;
   const double radius = 0.5 * diameter;
-  const double mass = models::sphere_mass_kg(radius, s.particle.density_kg_m3);
+  const double mass = physics::sphere_mass_kg(radius, s.particle.density_kg_m3);
   const double a0 = std::cbrt(9.0 * JkrLaw::kPi * gamma * radius * radius / (2.0 * modulus));
   const double dt = 2.0 * JkrLaw::kPi * std::sqrt(mass / (1.2 * modulus * a0)) / 5000.0;
   struct State {

@@ -4,8 +4,8 @@
 
 #include <cstdint>
 
-#include "analysis/restart/checkpoints.h"
-#include "analysis/restart/prepare.h"
+#include "analysis/flow/restart/checkpoints.h"
+#include "analysis/flow/restart/prepare.h"
 #include "tests/analysis/flow_case.h"
 
 namespace powderlink::analysis {

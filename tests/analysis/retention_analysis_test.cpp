@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Which shape is decided for, strays, counts per area, what is refused, classes of size.
-#include "analysis/laboratory/retention_analysis.h"
+#include "analysis/kat/experiment/retention_analysis.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "analysis/laboratory/retention_classes.h"
+#include "analysis/kat/experiment/retention_classes.h"
 #include "tests/analysis/retention_sample.h"
 #include "tests/analysis/test_files.h"
 

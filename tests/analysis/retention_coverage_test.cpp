@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "analysis/laboratory/retention_analysis.h"
+#include "analysis/kat/experiment/retention_analysis.h"
 #include "tests/analysis/retention_sample.h"
 
 namespace powderlink::analysis {

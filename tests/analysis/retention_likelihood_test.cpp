@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Likelihood of a retained fraction against its definition, and its largest value.
-#include "analysis/laboratory/retention_likelihood.h"
+#include "analysis/kat/experiment/retention_likelihood.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "analysis/laboratory/retention_fit.h"
+#include "analysis/kat/experiment/retention_fit.h"
 #include "tests/analysis/retention_sample.h"
 
 namespace powderlink::analysis {

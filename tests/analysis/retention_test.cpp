@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-#include "analysis/critical_diameter.h"
+#include "analysis/kat/reduced/critical_diameter.h"
 #include "analysis/evidence/comparison.h"
 #include "analysis/evidence/diagnosis.h"
 #include "tests/analysis/test_files.h"

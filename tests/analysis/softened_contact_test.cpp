@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "analysis/softened_contact.h"
+#include "analysis/kat/theory/softened_contact.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "analysis/material_library.h"
+#include "analysis/kat/study/material_library.h"
 #include "tests/models/refuses.h"
 
 namespace powderlink::analysis {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "analysis/flow/solver_log.h"
+#include "analysis/flow/run/solver_log.h"
 
 #include "tests/analysis/flow_case.h"
 

@@ -3,8 +3,8 @@
 /// The drop that several tests start from: 316L on UPVC at 1.4 m/s.
 #pragma once
 
-#include "analysis/kat/drop_script.h"
-#include "analysis/material_library.h"
+#include "analysis/kat/dem/drop_script.h"
+#include "analysis/kat/study/material_library.h"
 
 namespace powderlink::analysis {
 

@@ -7,10 +7,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analysis/critical_diameter.h"
+#include "analysis/kat/reduced/critical_diameter.h"
 #include "analysis/evidence/candidate.h"
 #include "analysis/evidence/comparison.h"
-#include "analysis/material_library.h"
+#include "analysis/kat/study/material_library.h"
 #include "tests/analysis/test_files.h"
 
 namespace powderlink::analysis {

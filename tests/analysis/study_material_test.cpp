@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Materials as options give them, and the list of known ones.
-#include "analysis/study_material.h"
+#include "analysis/kat/study/study_material.h"
 
 #include <fmt/format.h>
 
 #include <cmath>
 
-#include "analysis/material_library.h"
+#include "analysis/kat/study/material_library.h"
 #include "tests/analysis/test_files.h"
 
 namespace powderlink::analysis {
@@ -15,7 +15,7 @@ namespace {
 constexpr const char* kTitanium =
     "density_kg_m3 = 4430\nyoungs_modulus_Pa = 1.1e11\npoissons_ratio = 0.33\n";
 
-void expect_titanium(const models::Material& m) {
+void expect_titanium(const physics::Material& m) {
   EXPECT_EQ(m.density_kg_m3, 4430.0);
   EXPECT_EQ(m.youngs_modulus_Pa, 1.1e11);
   EXPECT_EQ(m.poissons_ratio, 0.33);
@@ -42,9 +42,9 @@ TEST(StudyMaterial, ByNameByValuesByFileAndByStudy) {
 
 TEST(StudyMaterial, IsWrittenSoThatItIsReadAgain) {
   const TestFolder folder;
-  models::Material other = find_material("316L");
+  physics::Material other = find_material("316L");
   other.youngs_modulus_Pa = 1.0e11 * std::acos(-1.0);  // under a known name, with digits
-  for (const models::Material& m : {find_material("316L"), other}) {
+  for (const physics::Material& m : {find_material("316L"), other}) {
     const auto file = folder.write("m.toml", material_text("particle", m));
     EXPECT_TRUE(same_material(material_option(file.string(), "particle"), m)) << read_file(file);
   }
@@ -72,7 +72,7 @@ TEST(StudyMaterial, RefusesWhatIsNone) {
 /// and carbide is 4.5 to 6.5 km/s, that of hard plastics 1.4 to 2.5 km/s.
 TEST(StudyMaterial, KnownOnesHaveTheSpeedOfSoundOfSolids) {
   ASSERT_GE(known_materials().size(), 15U);
-  for (const models::Material& m : known_materials()) {
+  for (const physics::Material& m : known_materials()) {
     const double speed_m_s = std::sqrt(m.youngs_modulus_Pa / m.density_kg_m3);
     const bool plastic = m.name == "UPVC";
     EXPECT_GT(speed_m_s, plastic ? 1400.0 : 4500.0) << m.name;
@@ -84,7 +84,7 @@ TEST(StudyMaterial, KnownOnesHaveTheSpeedOfSoundOfSolids) {
 
 TEST(StudyMaterial, KnownOnesAreInTheReference) {
   const std::string reference = read_file(POWDERLINK_REFERENCE);
-  for (const models::Material& m : known_materials()) {
+  for (const physics::Material& m : known_materials()) {
     const std::string row = fmt::format("| `{}` | {:g} | {:g} | {:g} |", m.name, m.density_kg_m3,
                                         1e-9 * m.youngs_modulus_Pa, m.poissons_ratio);
     EXPECT_NE(reference.find(row), std::string::npos) << row;

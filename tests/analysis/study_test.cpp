@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "analysis/study.h"
+#include "analysis/kat/study/study.h"
 
 #include <gtest/gtest.h>
 
 #include <map>
 
-#include "models/effect_registry.h"
+#include "physics/effects/effect_registry.h"
 #include "tests/analysis/test_files.h"
 
 namespace powderlink::analysis {
@@ -196,7 +196,7 @@ TEST(Study, FilesThatCannotBe) {
 }
 
 TEST(Study, EveryEffectOfTheRegistryMayBeSwitchedOn) {
-  for (const auto& entry : models::effect_registry()) {
+  for (const auto& entry : physics::effect_registry()) {
     const Study s = read(Text().set("model", "effects = [\"" + entry.info->name + "\"]").text());
     EXPECT_EQ(s.effects[0].parameters.size(), entry.info->parameters.size());
   }

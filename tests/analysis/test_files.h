@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "models/invalid_input.h"
+#include "base/invalid_input.h"
 
 namespace powderlink::analysis {
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Bytes of other programs and countries; the letters are known by their code points.
-#include "analysis/text_encoding.h"
+#include "base/text/text_encoding.h"
 
 #include <gtest/gtest.h>
 
-#include "analysis/csv_table.h"
+#include "base/csv/csv_table.h"
 #include "tests/analysis/test_files.h"
 
 namespace powderlink::analysis {

@@ -10,10 +10,10 @@
 #include <new>
 #include <thread>
 
-#include "coupling/bridge/mpi_transport.h"
-#include "coupling/bridge/particle_exchange.h"
-#include "coupling/bridge/session.h"
-#include "coupling/bridge/socket_transport.h"
+#include "coupling/bridge/transport/mpi_transport.h"
+#include "coupling/bridge/exchange/particle_exchange.h"
+#include "coupling/bridge/transport/session.h"
+#include "coupling/bridge/transport/socket_transport.h"
 #include "tests/bridge/conformance.h"
 #include "tests/bridge/fails.h"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <thread>
 
-#include "coupling/bridge/session.h"
+#include "coupling/bridge/transport/session.h"
 #include "tests/bridge/fails.h"
 #include "tests/bridge/sample_frames.h"
 

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "coupling/bridge/transport.h"
+#include "coupling/bridge/transport/transport.h"
 
 namespace powderlink::test {
 

@@ -3,8 +3,8 @@
 // BridgeError or gives a view that lies within its bytes. Under the sanitizers a stray read ends it.
 #include <gtest/gtest.h>
 
-#include "coupling/bridge/checksum.h"
-#include "coupling/bridge/session.h"
+#include "coupling/bridge/frame/checksum.h"
+#include "coupling/bridge/transport/session.h"
 #include "tests/bridge/sample_frames.h"
 
 namespace powderlink::test {

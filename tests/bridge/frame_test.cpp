@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Encoder and decoder: what goes in comes out, and nothing else is let through.
-#include "coupling/bridge/frame.h"
+#include "coupling/bridge/frame/frame.h"
 
 #include <cmath>
 #include <functional>
 
 #include <gtest/gtest.h>
 
-#include "coupling/bridge/checksum.h"
+#include "coupling/bridge/frame/checksum.h"
 #include "tests/bridge/fails.h"
 #include "tests/bridge/sample_frames.h"
 

@@ -8,8 +8,8 @@
 #include <stdexcept>
 #include <thread>
 
-#include "coupling/bridge/coupling_fields.h"
-#include "coupling/bridge/coupling_link.h"
+#include "coupling/bridge/exchange/coupling_fields.h"
+#include "coupling/bridge/link/coupling_link.h"
 #include "tests/bridge/fails.h"
 
 namespace powderlink::test {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A coupled job as its hosts see it: order of calls, ends and errors, on both routes.
-#include "coupling/bridge/coupling_link.h"
+#include "coupling/bridge/link/coupling_link.h"
 
 #include <cmath>
 #include <string>

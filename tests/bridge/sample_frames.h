@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "coupling/bridge/frame.h"
+#include "coupling/bridge/frame/frame.h"
 
 namespace powderlink::test {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What two programs must agree on before they exchange anything.
-#include "coupling/bridge/session.h"
+#include "coupling/bridge/transport/session.h"
 
 #include <cmath>
 #include <functional>

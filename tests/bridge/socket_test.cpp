@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What only sockets can do wrong: addresses, tokens, second clients, and programs that are killed.
-#include "coupling/bridge/socket_transport.h"
+#include "coupling/bridge/transport/socket_transport.h"
 
 #include <dlfcn.h>
 #include <netdb.h>
@@ -20,8 +20,8 @@
 #include <gtest/gtest.h>
 #include <boost/asio/io_context.hpp>
 
-#include "coupling/bridge/session.h"
-#include "coupling/bridge/socket_address.h"
+#include "coupling/bridge/transport/session.h"
+#include "coupling/bridge/transport/socket_address.h"
 #include "tests/bridge/fails.h"
 #include "tests/bridge/sample_frames.h"
 #include "tests/bridge/temporary_folder.h"

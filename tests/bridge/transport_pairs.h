@@ -9,7 +9,7 @@
 #include <string>
 #include <utility>
 
-#include "coupling/bridge/socket_transport.h"
+#include "coupling/bridge/transport/socket_transport.h"
 
 namespace powderlink::test {
 

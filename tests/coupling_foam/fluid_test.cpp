@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <string>
 
-#include "coupling/forces/force_registry.h"
+#include "physics/fluid_forces/force_registry.h"
 #include "fixedGradientFvPatchFields.H"
 #include "fluidForces.H"
 #include "fluidInterpolation.H"

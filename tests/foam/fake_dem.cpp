@@ -17,8 +17,8 @@
 #include <map>
 #include <stdexcept>
 
-#include "coupling/bridge/coupling_fields.h"
-#include "coupling/bridge/coupling_link.h"
+#include "coupling/bridge/exchange/coupling_fields.h"
+#include "coupling/bridge/link/coupling_link.h"
 
 namespace powderlink::test {
 namespace {

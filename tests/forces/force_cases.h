@@ -7,7 +7,7 @@
 #include <map>
 #include <string>
 
-#include "coupling/forces/force_registry.h"
+#include "physics/fluid_forces/force_registry.h"
 
 namespace powderlink::test {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One settling and one spinning sphere: terminal velocities in print, the transient against the
 // differential equation, and the stability and order of the semi-implicit step.
-#include "host/fluid_relaxation.h"
+#include "liggghts_styles/couple_bridge/fluid_relaxation.h"
 
 #include <array>
 #include <cmath>

@@ -8,13 +8,13 @@
 
 #include "liggghts_case.h"
 #include "materials.h"
-#include "models/kat_theory.h"
-#include "models/rayleigh_time.h"
+#include "physics/kat/kat_theory.h"
+#include "physics/contact/rayleigh_time.h"
 
 namespace powderlink::testing {
 namespace {
 
-using namespace powderlink::models;
+using namespace powderlink::physics;
 
 constexpr double kRadius = 23e-6;
 constexpr double kHalf = 300e-6;
@@ -52,7 +52,7 @@ double lost_energy(const std::string& name, double gamma, double speed, double r
   return 0.5 * m * (speed * speed - out * out) / unit;
 }
 
-constexpr double kTouchAndGo = 7.09219597;  // W(A->D)/S, closed form: models/kat_theory.h
+constexpr double kTouchAndGo = 7.09219597;  // W(A->D)/S, closed form: physics/kat/kat_theory.h
 
 TEST(JkrContact, TouchAndGoLosesTheHysteresisOfTheNeck) {
   constexpr double tolerance = 1e-4;  // required as dt -> 0

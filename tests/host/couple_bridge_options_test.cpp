@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The line of fix couple/bridge: what is taken, and what is refused with four parts.
-#include "host/couple_bridge_options.h"
+#include "liggghts_styles/couple_bridge/couple_bridge_options.h"
 
 #include <sstream>
 #include <string>
@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "models/invalid_input.h"
+#include "base/invalid_input.h"
 
 namespace powderlink::host {
 namespace {

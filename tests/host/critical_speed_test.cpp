@@ -10,13 +10,13 @@
 
 #include "liggghts_case.h"
 #include "materials.h"
-#include "models/kat_theory.h"
-#include "models/rayleigh_time.h"
+#include "physics/kat/kat_theory.h"
+#include "physics/contact/rayleigh_time.h"
 
 namespace powderlink::testing {
 namespace {
 
-using namespace powderlink::models;
+using namespace powderlink::physics;
 
 constexpr double kRadius = 23e-6;
 constexpr double kGamma = 17.16;

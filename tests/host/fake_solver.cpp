@@ -24,8 +24,8 @@
 #include <string>
 #include <vector>
 
-#include "coupling/bridge/coupling_fields.h"
-#include "coupling/bridge/coupling_link.h"
+#include "coupling/bridge/exchange/coupling_fields.h"
+#include "coupling/bridge/link/coupling_link.h"
 
 namespace powderlink::testing {
 namespace {

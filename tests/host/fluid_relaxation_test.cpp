@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One step of the relaxation against the closed form, its limits and its composition.
-#include "host/fluid_relaxation.h"
+#include "liggghts_styles/couple_bridge/fluid_relaxation.h"
 
 #include <cmath>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Restart files of the real LIGGGHTS, whole and damaged: what files/restart_file.h says of them, and what
+// Restart files of the real LIGGGHTS, whole and damaged: what liggghts_styles/host/restart_file.h says of them, and what
 // the two programs of a coupled job do when a script reads one.
-#include "files/restart_file.h"
+#include "liggghts_styles/host/restart_file.h"
 
 #include <fstream>
 #include <iterator>

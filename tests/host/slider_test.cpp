@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "liggghts_case.h"
-#include "models/kat_theory.h"
-#include "models/spring_slider_dashpot.h"
+#include "physics/kat/kat_theory.h"
+#include "physics/contact/spring_slider_dashpot.h"
 
 namespace powderlink::testing {
 namespace {
@@ -22,7 +22,7 @@ Setting setting(double step_s) {
   s.model = "hertz";
   s.model_options = " tangential spring_slider_dashpot";
   s.youngs_modulus[0] = s.youngs_modulus[1] = kSoft;
-  s.restitution = models::restitution_of_alpha(kAlpha);
+  s.restitution = physics::restitution_of_alpha(kAlpha);
   s.friction = kFriction;
   s.time_step = step_s;
   return s;
@@ -49,7 +49,7 @@ struct Rebound {
 /// scheme of nve/sphere, and LIGGGHTS's arm R - delta/2.
 Rebound integrate(double along, double down, double height_m, double step_s, int parts,
                   long steps) {
-  const double mass = models::sphere_mass_kg(kRadius, kDensity);
+  const double mass = physics::sphere_mass_kg(kRadius, kDensity);
   const double inertia = 0.4 * mass * kRadius * kRadius;
   const double modulus = kSoft / (2.0 * (1.0 - kPoisson * kPoisson));
   const double shear = kSoft / (2.0 * (1.0 + kPoisson)) / (2.0 * (2.0 - kPoisson));
@@ -148,7 +148,7 @@ TEST(SpringSliderDashpot, GivesWhatOpenfoamGives) {
 TEST(SpringSliderDashpot, IsCoulombsWhereEachStepSlides) {
   // So fast that no step fills less than a spring: the impulse is mu times the normal one.
   constexpr double down = 0.2, along = 40.0, step = 5e-7;
-  const double e = models::restitution_of_alpha(kAlpha);
+  const double e = physics::restitution_of_alpha(kAlpha);
   const LiggghtsCase c("slider_slides");
   Sphere s = grain(0.0, kRadius + 1e-7);
   s.v[0] = along;

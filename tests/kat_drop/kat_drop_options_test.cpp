@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The line of fix kat/drop: what it means and how a wrong one is refused.
-#include "host/kat_drop_options.h"
+#include "liggghts_styles/kat_drop/kat_drop_options.h"
 
 #include <cmath>
 #include <filesystem>
@@ -13,14 +13,14 @@
 
 #include <gtest/gtest.h>
 
-#include "host/kat_population.h"
+#include "liggghts_styles/kat_drop/kat_population.h"
 #include "tests/models/refuses.h"
 
 namespace powderlink {
 namespace {
 
 using host::KatDropOptions;
-using models::StopPulse;
+using physics::StopPulse;
 using test::refuses;
 
 constexpr double kRounding = 1e-13;

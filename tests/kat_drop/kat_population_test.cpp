@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Sizes and places of the grains against the laws they are drawn from.
-#include "host/kat_population.h"
+#include "liggghts_styles/kat_drop/kat_population.h"
 
 #include <algorithm>
 #include <cmath>

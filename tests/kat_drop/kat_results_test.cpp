@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The results file: its content, and that a failed write leaves earlier results alone.
-#include "host/kat_results.h"
+#include "liggghts_styles/kat_drop/kat_results.h"
 
 #include <filesystem>
 #include <fstream>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A contact with memory: hysteresis of JKR, roughness, and the moving edge of a rate-dependent
 // interface against an integration of its differential equation.
-#include "models/adhesive_contact.h"
+#include "physics/effects/adhesive_contact.h"
 
 #include <cmath>
 #include <memory>
@@ -10,15 +10,15 @@
 #include <gtest/gtest.h>
 #include <boost/numeric/odeint.hpp>
 
-#include "models/effect_registry.h"
+#include "physics/effects/effect_registry.h"
 
 namespace powderlink {
 namespace {
 
-using models::AdhesiveContact;
-using models::Effect;
-using models::JkrLaw;
-using models::make_effect;
+using physics::AdhesiveContact;
+using physics::Effect;
+using physics::JkrLaw;
+using physics::make_effect;
 
 constexpr double kRounding = 1e-12;
 constexpr double kRadius = 23e-6;

@@ -10,20 +10,20 @@
 #include <cmath>
 #include <limits>
 
-#include "models/hertz_collision.h"
-#include "models/jkr_law.h"
-#include "models/kat_theory.h"
-#include "models/material.h"
-#include "models/rayleigh_time.h"
-#include "models/softened_adhesion.h"
-#include "models/spring_slider_dashpot.h"
+#include "physics/contact/hertz_collision.h"
+#include "physics/contact/jkr_law.h"
+#include "physics/kat/kat_theory.h"
+#include "physics/contact/material.h"
+#include "physics/contact/rayleigh_time.h"
+#include "physics/contact/softened_adhesion.h"
+#include "physics/contact/spring_slider_dashpot.h"
 #include "tests/models/refuses.h"
 
 namespace powderlink {
 namespace {
 
-using models::HertzCollision;
-using models::JkrLaw;
+using physics::HertzCollision;
+using physics::JkrLaw;
 using test::refuses;
 
 constexpr double kRounding = 1e-13;    // of a few products and roots
@@ -37,7 +37,7 @@ struct Outcome {
 Outcome integrate(const HertzCollision& c, double alpha) {
   using State = std::array<double, 2>;  // overlap, its rate
   const auto rhs = [&](const State& s, State& rate, double) {
-    rate = {s[1], -models::spring_slider_dashpot_force_N(s[0], s[1], c.modulus_Pa, c.radius_m,
+    rate = {s[1], -physics::spring_slider_dashpot_force_N(s[0], s[1], c.modulus_Pa, c.radius_m,
                                                          c.mass_kg, alpha) /
                       c.mass_kg};
   };
@@ -64,9 +64,9 @@ constexpr double kIntegrator = 2e-5;  // fixed steps over the kinks in delta^(1/
 TEST(SpringSliderDashpot, RestitutionDepthAndDurationOfACollision) {
   for (const double alpha : {0.0, 0.07495, 0.12, 0.5, 1.5}) {
     for (const double speed : {0.01, 3.0}) {
-      const HertzCollision c{1.16e7, 33e-6, 1.2e-9, speed, models::damping_ratio_of_alpha(alpha)};
+      const HertzCollision c{1.16e7, 33e-6, 1.2e-9, speed, physics::damping_ratio_of_alpha(alpha)};
       const Outcome o = integrate(c, alpha);
-      EXPECT_NEAR(o.restitution, models::restitution_of_alpha(alpha), kIntegrator) << alpha;
+      EXPECT_NEAR(o.restitution, physics::restitution_of_alpha(alpha), kIntegrator) << alpha;
       EXPECT_NEAR(o.greatest_overlap_m / c.greatest_overlap_m(), 1.0, kIntegrator) << alpha;
       EXPECT_NEAR(o.duration_s / c.duration_s(), 1.0, kIntegrator) << alpha;
     }
@@ -75,42 +75,42 @@ TEST(SpringSliderDashpot, RestitutionDepthAndDurationOfACollision) {
 
 TEST(SpringSliderDashpot, AlphaAndRestitutionAreInverse) {
   for (const double e : {0.05, 0.3, 0.845, 0.9, 0.999, 1.0}) {
-    EXPECT_NEAR(models::restitution_of_alpha(models::alpha_of_restitution(e)), e, kRounding);
+    EXPECT_NEAR(physics::restitution_of_alpha(physics::alpha_of_restitution(e)), e, kRounding);
   }
   // What the thesis prints as one pair, restitution 0.9 and alpha 0.12, are two contacts.
   constexpr double last_digit = 5e-5;
-  EXPECT_NEAR(models::restitution_of_alpha(0.12), 0.8446, last_digit);
-  EXPECT_NEAR(models::alpha_of_restitution(0.9), 0.07495, last_digit);
-  EXPECT_EQ(models::restitution_of_alpha(0.0), 1.0);
+  EXPECT_NEAR(physics::restitution_of_alpha(0.12), 0.8446, last_digit);
+  EXPECT_NEAR(physics::alpha_of_restitution(0.9), 0.07495, last_digit);
+  EXPECT_EQ(physics::restitution_of_alpha(0.0), 1.0);
 }
 
 TEST(SpringSliderDashpot, DampsAsLiggghtsDoes) {
   constexpr double modulus = 1.16e7, radius = 33e-6, mass = 1.2e-9;
   const JkrLaw hertz(modulus, 0.0);
   for (const double e : {0.2, 0.845, 0.99}) {
-    const double alpha = models::alpha_of_restitution(e);
+    const double alpha = physics::alpha_of_restitution(e);
     for (const double overlap : {1e-9, 1e-7, 3e-6}) {
       const double root = hertz.first_root(overlap, radius);
       const double force =
           hertz.force_N(root, radius) +
-          0.4 * models::normal_damping_kg_s(models::damping_ratio(e), modulus, root * root, mass);
+          0.4 * physics::normal_damping_kg_s(physics::damping_ratio(e), modulus, root * root, mass);
       EXPECT_NEAR(
-          models::spring_slider_dashpot_force_N(overlap, 0.4, modulus, radius, mass, alpha) / force,
+          physics::spring_slider_dashpot_force_N(overlap, 0.4, modulus, radius, mass, alpha) / force,
           1.0, 10 * kRounding);
     }
   }
-  EXPECT_EQ(models::spring_slider_dashpot_force_N(0.0, -1.0, modulus, radius, mass, 0.12), 0.0);
+  EXPECT_EQ(physics::spring_slider_dashpot_force_N(0.0, -1.0, modulus, radius, mass, 0.12), 0.0);
 }
 
 TEST(SpringSliderDashpot, RefusesWhatNeverParts) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  for (const double bad : {-0.01, models::kSqrtFive, 3.0, nan}) {
-    EXPECT_TRUE(refuses([bad] { models::restitution_of_alpha(bad); }, "alpha", number_text(bad)));
+  for (const double bad : {-0.01, physics::kSqrtFive, 3.0, nan}) {
+    EXPECT_TRUE(refuses([bad] { physics::restitution_of_alpha(bad); }, "alpha", number_text(bad)));
   }
   // Just below, a grain keeps next to nothing.
-  EXPECT_LT(models::restitution_of_alpha(2.2), 1e-6);
+  EXPECT_LT(physics::restitution_of_alpha(2.2), 1e-6);
   for (const double bad : {0.0, 1.1, nan}) {
-    EXPECT_TRUE(refuses([bad] { models::alpha_of_restitution(bad); }, "restitution"));
+    EXPECT_TRUE(refuses([bad] { physics::alpha_of_restitution(bad); }, "restitution"));
   }
 }
 
@@ -120,9 +120,9 @@ TEST(SpringSliderDashpot, OwnTimeOfACollision) {
   const double density = 7980.0, modulus = 1.16e7;
   for (const double radius : {20e-6, 50e-6}) {
     for (const double speed : {0.1, 10.0}) {
-      const HertzCollision c{modulus, radius, models::sphere_mass_kg(radius, density), speed};
+      const HertzCollision c{modulus, radius, physics::sphere_mass_kg(radius, density), speed};
       const double ratio =
-          models::spring_slider_dashpot_time_s(radius, density, modulus, speed) / c.duration_s();
+          physics::spring_slider_dashpot_time_s(radius, density, modulus, speed) / c.duration_s();
       const double pi = JkrLaw::kPi;
       const double exact = 2.94327518432 * std::pow(1.25 * pi, 0.4);
       EXPECT_NEAR(ratio, 5.429675 / exact, 1e-10);
@@ -131,7 +131,7 @@ TEST(SpringSliderDashpot, OwnTimeOfACollision) {
 }
 
 /// Mean force over one cycle of the slider at a steady load, in closed form.
-double cycle_force_N(const models::SliderLoad& load, double speed_m_s, double step_s) {
+double cycle_force_N(const physics::SliderLoad& load, double speed_m_s, double step_s) {
   const double growth = load.stiffness_N_m * speed_m_s * step_s;
   const double n = std::floor(load.limit_N / growth) + 1.0;
   return (growth * n * (n - 1.0) / 2.0 + (n - 1.0) * load.damping_kg_s * speed_m_s + load.limit_N) /
@@ -139,7 +139,7 @@ double cycle_force_N(const models::SliderLoad& load, double speed_m_s, double st
 }
 
 TEST(Slider, SteadySlipFollowsTheCycle) {
-  const models::SliderLoad load{50.0, 3e-5, 2e-5};
+  const physics::SliderLoad load{50.0, 3e-5, 2e-5};
   const double step = 7e-8;
   for (const double speed : {0.02, 0.3, 1.1, 5.9}) {
     const int n =
@@ -148,7 +148,7 @@ TEST(Slider, SteadySlipFollowsTheCycle) {
     double spring[3] = {0, 0, 0}, force[3], sum[3] = {0, 0, 0};
     const double slip[3] = {0.6 * speed, 0.0, -0.8 * speed};
     for (int i = 0; i < cycles * n; ++i) {
-      models::advance_slider(load, slip, step, 1, spring, force);
+      physics::advance_slider(load, slip, step, 1, spring, force);
       for (int k = 0; k < 3; ++k) sum[k] += force[k] / (cycles * n);
     }
     const double mean = cycle_force_N(load, speed, step);
@@ -157,18 +157,18 @@ TEST(Slider, SteadySlipFollowsTheCycle) {
     EXPECT_NEAR(sum[2] / mean, 0.8, n * kRounding) << n;
     // All of it at once is the mean of its steps.
     double emptied[3] = {0, 0, 0};
-    models::advance_slider(load, slip, cycles * n * step, cycles * n, emptied, force);
+    physics::advance_slider(load, slip, cycles * n * step, cycles * n, emptied, force);
     for (int k = 0; k < 3; ++k) EXPECT_NEAR(force[k], sum[k], n * kRounding * mean);
   }
 }
 
 TEST(Slider, CoulombsLawWhereEachStepSlidesAndViscousInTheLimit) {
-  const models::SliderLoad load{50.0, 3e-5, 2e-5};
+  const physics::SliderLoad load{50.0, 3e-5, 2e-5};
   const double slip[3] = {0.3, 0.0, 0.0};
   double spring[3] = {0, 0, 0}, force[3];
   const double full = load.limit_N / (load.stiffness_N_m * slip[0]);  // time to fill the spring
   for (int i = 0; i < 5; ++i) {
-    models::advance_slider(load, slip, 1.01 * full, 1, spring, force);
+    physics::advance_slider(load, slip, 1.01 * full, 1, spring, force);
     EXPECT_EQ(force[0], -load.limit_N);
     EXPECT_EQ(spring[0], 0.0);
   }
@@ -184,14 +184,14 @@ TEST(Slider, CoulombsLawWhereEachStepSlidesAndViscousInTheLimit) {
 }
 
 TEST(Slider, SticksWhileTheSpringHolds) {
-  const models::SliderLoad load{50.0, 3e-5, 2e-5};
+  const physics::SliderLoad load{50.0, 3e-5, 2e-5};
   double spring[3] = {3e-7, 0.0, 0.0}, force[3];  // below 2e-5/50
   const double rest[3] = {0, 0, 0};
-  models::advance_slider(load, rest, 1e-7, 5, spring, force);
+  physics::advance_slider(load, rest, 1e-7, 5, spring, force);
   EXPECT_NEAR(force[0], -load.stiffness_N_m * 3e-7, kRounding * load.limit_N);
   EXPECT_EQ(spring[0], 3e-7);
   // A contact that loses its load gives way, and without a slip pulls nowhere.
-  models::advance_slider({50.0, 0.0, 1e-6}, rest, 1e-7, 1, spring, force);
+  physics::advance_slider({50.0, 0.0, 1e-6}, rest, 1e-7, 1, spring, force);
   EXPECT_EQ(force[0], 0.0);
   EXPECT_EQ(spring[0], 0.0);
 }
@@ -224,39 +224,39 @@ TEST(HertzCollision, Scaling) {
 TEST(HertzCollision, GrainOfTheSourcesPipe) {
   // Steel grains of 66.9 um at E = 2.11e7 Pa on the same: how deep a grain sinks in. By hand, to
   // the printed digit.
-  const models::Material m{"soft", 7980.0, 2.11e7, 0.3};
-  const double modulus = models::effective_youngs_modulus_Pa(m, m), radius = 33.45e-6;
-  const double mass = models::sphere_mass_kg(radius, m.density_kg_m3);
+  const physics::Material m{"soft", 7980.0, 2.11e7, 0.3};
+  const double modulus = physics::effective_youngs_modulus_Pa(m, m), radius = 33.45e-6;
+  const double mass = physics::sphere_mass_kg(radius, m.density_kg_m3);
   const auto depth = [&](double speed) {
     return HertzCollision{modulus, radius, mass, speed}.greatest_overlap_m() / (2 * radius);
   };
   EXPECT_NEAR(depth(1.0), 0.047, 5e-4);
   EXPECT_NEAR(depth(0.2), 0.013, 5e-4);
-  EXPECT_NEAR(models::rayleigh_time_s(20e-6, m), 2.13e-6, 5e-9);
+  EXPECT_NEAR(physics::rayleigh_time_s(20e-6, m), 2.13e-6, 5e-9);
 }
 
 TEST(SoftenedAdhesion, KeepsTheWorkAndTheSpeedOfSticking) {
   constexpr double gamma = 0.1, modulus = 1.16e11, softened = 1.16e7, radius = 33e-6;
   const JkrLaw real(modulus, gamma);
-  const JkrLaw soft(softened, models::softened_adhesion_J_m2(gamma, modulus, softened));
-  EXPECT_NEAR(models::touch_and_go_work_J(soft, radius) / models::touch_and_go_work_J(real, radius),
+  const JkrLaw soft(softened, physics::softened_adhesion_J_m2(gamma, modulus, softened));
+  EXPECT_NEAR(physics::touch_and_go_work_J(soft, radius) / physics::touch_and_go_work_J(real, radius),
               1.0,
               1e-9);  // roots of a quartic at tear-off, where its slope is 0
-  EXPECT_EQ(models::softened_adhesion_J_m2(gamma, modulus, modulus), gamma);
+  EXPECT_EQ(physics::softened_adhesion_J_m2(gamma, modulus, modulus), gamma);
   const double lambda = std::pow(modulus / softened, 0.4);
   EXPECT_NEAR(soft.pull_off_force_N(radius) * lambda / real.pull_off_force_N(radius), 1.0,
               kRounding);
   // Unchanged adhesion would stick up to a higher speed: work ~ E*^(-2/3).
   const JkrLaw unchanged(softened, gamma);
   EXPECT_NEAR(
-      models::touch_and_go_work_J(unchanged, radius) / models::touch_and_go_work_J(real, radius),
+      physics::touch_and_go_work_J(unchanged, radius) / physics::touch_and_go_work_J(real, radius),
       std::pow(modulus / softened, 2.0 / 3.0), 1e-6);
 }
 
 TEST(SoftenedAdhesion, AllLengthsGrowAndAllForcesFallByTheSameFactor) {
   constexpr double gamma = 0.1, modulus = 1.16e11, softened = 1.16e7, radius = 33e-6;
   const JkrLaw real(modulus, gamma);
-  const JkrLaw soft(softened, models::softened_adhesion_J_m2(gamma, modulus, softened));
+  const JkrLaw soft(softened, physics::softened_adhesion_J_m2(gamma, modulus, softened));
   const double lambda = std::pow(modulus / softened, 0.4);
   const double tear_off = real.tear_off_overlap_m(radius);
   EXPECT_NEAR(soft.tear_off_overlap_m(radius) / tear_off, lambda, 1e-12 * lambda);

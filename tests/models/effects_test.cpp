@@ -11,22 +11,22 @@
 #include <gtest/gtest.h>
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 
-#include "models/effect_registry.h"
-#include "models/jkr_law.h"
-#include "models/kat_theory.h"
+#include "physics/effects/effect_registry.h"
+#include "physics/contact/jkr_law.h"
+#include "physics/kat/kat_theory.h"
 #include "tests/models/refuses.h"
 
 namespace powderlink {
 namespace {
 
-using models::Effect;
-using models::effect_registry;
-using models::EffectEntry;
-using models::EffectParameter;
-using models::make_effect;
+using physics::Effect;
+using physics::effect_registry;
+using physics::EffectEntry;
+using physics::EffectParameter;
+using physics::make_effect;
 using test::refuses;
 
-constexpr double kPi = models::JkrLaw::kPi;
+constexpr double kPi = physics::JkrLaw::kPi;
 constexpr double kRounding = 1e-12;
 constexpr double kQuadrature = 1e-10;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -44,14 +44,14 @@ void check_finite_stop_pulse() {
   const auto e = make_effect("finite_stop_pulse", {8e-5, 0.3});
   const auto stop = e->stop();
   ASSERT_TRUE(stop.has_value());
-  EXPECT_EQ(stop->shape(), models::StopPulse::Shape::half_sine);
+  EXPECT_EQ(stop->shape(), physics::StopPulse::Shape::half_sine);
   EXPECT_EQ(stop->duration_s(), 8e-5);
   EXPECT_EQ(stop->rebound(), 0.3);
   const double peak = kPi * 2.0 * 1.3 / (2 * 8e-5);
   EXPECT_NEAR(stop->peak_deceleration_m_s2(2.0), peak, kRounding * peak);
   // Slow limit: d_c ~ v^(-1/2), because the deceleration is proportional to v.
   const auto d = [&](double v) {
-    return models::critical_diameter_slow_m(0.09, 2510.0, stop->peak_deceleration_m_s2(v));
+    return physics::critical_diameter_slow_m(0.09, 2510.0, stop->peak_deceleration_m_s2(v));
   };
   EXPECT_NEAR(std::log(d(4.0) / d(1.0)) / std::log(4.0), -0.5, kRounding);
   // A rebound alone is still an instant stop.
@@ -98,7 +98,7 @@ void check_electrostatic_image_force() {
             1.1e-6 * std::fabs(e->gap_energy_J(0.0, kRadius)));
   // Escape speed from contact, the same at every size.
   for (const double radius : {1e-6, 25e-6, 1e-3}) {
-    const double v2 = -2 * e->gap_energy_J(0.0, radius) / models::sphere_mass_kg(radius, density);
+    const double v2 = -2 * e->gap_energy_J(0.0, radius) / physics::sphere_mass_kg(radius, density);
     const double expected = 3 * sigma * sigma / (2 * density * eps0);
     EXPECT_NEAR(v2, expected, kRounding * expected);
   }
@@ -162,7 +162,7 @@ void check_surface_roughness() {
 }
 
 void check_plastic_contact() {
-  const models::JkrLaw law(5.6e10, 90.0);
+  const physics::JkrLaw law(5.6e10, 90.0);
   const double a0 = law.equilibrium_contact_radius_m(kRadius);
   const double load = 6 * kPi * law.work_of_adhesion_J_m2() * kRadius;  // apparent, at rest
   const double pressure = load / (kPi * a0 * a0);
@@ -183,7 +183,7 @@ void check_plastic_contact() {
   const auto e = make_effect("plastic_contact", {0.1 * pressure});
   const double ratio = e->flattening_factor(law, kRadius / 4) / e->flattening_factor(law, kRadius);
   EXPECT_NEAR(ratio, 2.0, 1e-9);
-  EXPECT_EQ(e->flattening_factor(models::JkrLaw(5.6e10, 0.0), kRadius), 1.0);
+  EXPECT_EQ(e->flattening_factor(physics::JkrLaw(5.6e10, 0.0), kRadius), 1.0);
 }
 
 void check_psd_cutoff() {
@@ -302,7 +302,7 @@ void expect_baseline(const Effect& e) {
       EXPECT_EQ(e.gap_energy_J(gap, radius), 0.0) << gap;
     }
   }
-  const models::JkrLaw law(1e10, 10.0);
+  const physics::JkrLaw law(1e10, 10.0);
   EXPECT_EQ(e.flattening_factor(law, kRadius), 1.0);
   EXPECT_EQ(e.observed_diameter_m(5e-5), 5e-5);
   EXPECT_EQ(e.adhesion_log_std(), 0.0);
@@ -315,25 +315,25 @@ void expect_baseline(const Effect& e) {
 }
 
 /// The registry with one more effect, that makes nothing.
-std::vector<EffectEntry> with_one_more(const models::EffectInfo& info) {
+std::vector<EffectEntry> with_one_more(const physics::EffectInfo& info) {
   std::vector<EffectEntry> entries = effect_registry();
   entries.push_back({&info, {}});
   return entries;
 }
 
 TEST(EffectRegistry, NamesThatAreTakenAreRefused) {
-  const models::EffectInfo fine{"films", "", "", {{"film_exponent", 0, 1, 0, 1, 0, 1, ""}}};
-  EXPECT_EQ(models::require_distinct_names(with_one_more(fine)).size(),
+  const physics::EffectInfo fine{"films", "", "", {{"film_exponent", 0, 1, 0, 1, 0, 1, ""}}};
+  EXPECT_EQ(physics::require_distinct_names(with_one_more(fine)).size(),
             effect_registry().size() + 1);
-  const models::EffectInfo parameter{"films", "", "", {{"exponent", 0, 1, 0, 1, 0, 1, ""}}};
-  const models::EffectInfo energy{
+  const physics::EffectInfo parameter{"films", "", "", {{"exponent", 0, 1, 0, 1, 0, 1, ""}}};
+  const physics::EffectInfo energy{
       "films", "", "", {{"adhesive_energy_J_m2", 0, 1, 0, 1, 0, 1, ""}}};
-  const models::EffectInfo effect{"psd_cutoff", "", "", {}};
-  EXPECT_TRUE(refuses([&] { models::require_distinct_names(with_one_more(parameter)); },
+  const physics::EffectInfo effect{"psd_cutoff", "", "", {}};
+  EXPECT_TRUE(refuses([&] { physics::require_distinct_names(with_one_more(parameter)); },
                       "effect films", "'exponent', which rate_dependent_adhesion has"));
-  EXPECT_TRUE(refuses([&] { models::require_distinct_names(with_one_more(energy)); },
+  EXPECT_TRUE(refuses([&] { physics::require_distinct_names(with_one_more(energy)); },
                       "effect films", "which the interface has"));
-  EXPECT_TRUE(refuses([&] { models::require_distinct_names(with_one_more(effect)); },
+  EXPECT_TRUE(refuses([&] { physics::require_distinct_names(with_one_more(effect)); },
                       "effect psd_cutoff", "'psd_cutoff', which psd_cutoff has"));
 }
 
@@ -366,9 +366,9 @@ TEST(EffectRegistry, TypicalValuesAreTheDefault) {
 }
 
 TEST(EffectRegistry, RefusesUnknownNamesAndWrongNumbersOfParameters) {
-  EXPECT_TRUE(refuses([] { models::find_effect("static_cling"); }, "effect", "static_cling"));
+  EXPECT_TRUE(refuses([] { physics::find_effect("static_cling"); }, "effect", "static_cling"));
   try {
-    models::find_effect("static_cling");
+    physics::find_effect("static_cling");
   } catch (const InvalidInput& e) {
     for (const EffectEntry& entry : effect_registry()) {
       EXPECT_NE(std::string(e.what()).find(entry.info->name), std::string::npos)

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // JkrLaw against the closed form of its universal quartic in 50 digits, the fixed points of the
 // theory, conservation of energy and the scaling of the law.
-#include "models/jkr_law.h"
-#include "models/jkr_edge.h"
+#include "physics/contact/jkr_law.h"
+#include "physics/contact/jkr_edge.h"
 
 #include <cmath>
 #include <random>
@@ -11,13 +11,13 @@
 #include <gtest/gtest.h>
 #include <boost/math/quadrature/tanh_sinh.hpp>
 
-#include "models/kat_theory.h"
+#include "physics/kat/kat_theory.h"
 #include "tests/models/jkr_reference.h"
 
 namespace powderlink {
 namespace {
 
-using models::JkrLaw;
+using physics::JkrLaw;
 using test::JkrReference;
 using test::Real;
 
@@ -267,8 +267,8 @@ TEST(JkrLaw, LoopEnergies) {
     EXPECT_NEAR(detach, 11.69, 11.69 * kPrintedConstant);
     EXPECT_NEAR(touch_and_go, 7.09, 7.09 * kPrintedConstant);
 
-    EXPECT_NEAR(models::detachment_work_J(law, p.radius_m), detach * s, kRounding * detach * s);
-    EXPECT_NEAR(models::touch_and_go_work_J(law, p.radius_m), touch_and_go * s,
+    EXPECT_NEAR(physics::detachment_work_J(law, p.radius_m), detach * s, kRounding * detach * s);
+    EXPECT_NEAR(physics::touch_and_go_work_J(law, p.radius_m), touch_and_go * s,
                 kRounding * detach * s);
 
     const double tear_off = law.tear_off_overlap_m(p.radius_m);

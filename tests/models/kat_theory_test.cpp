@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The closed forms of the Kinetic Adhesion Test against each other, against Hertz's collision and
 // against the numbers in print.
-#include "models/kat_theory.h"
+#include "physics/kat/kat_theory.h"
 
 #include <cmath>
 #include <vector>
@@ -9,13 +9,13 @@
 #include <gtest/gtest.h>
 #include <boost/math/quadrature/tanh_sinh.hpp>
 
-#include "models/material.h"
+#include "physics/contact/material.h"
 
 namespace powderlink {
 namespace {
 
-using models::JkrLaw;
-using models::Material;
+using physics::JkrLaw;
+using physics::Material;
 
 constexpr double kPi = JkrLaw::kPi;
 constexpr double kRounding = 1e-12;  // of closed forms with powers of 1/5
@@ -28,7 +28,7 @@ const Material kGlass{"borosilicate_glass", 2510.0, 7.3e10, 0.2};
 const Material kUpvc{"UPVC", 1440.0, 3.0e9, 0.3};
 
 double modulus(const Material& particle, const Material& plate) {
-  return models::effective_youngs_modulus_Pa(particle, plate);
+  return physics::effective_youngs_modulus_Pa(particle, plate);
 }
 
 struct DropTest {  // silanised glass beads on silanised glass, Zafar et al. 2014
@@ -43,7 +43,7 @@ const std::vector<DropTest> kDropTests = {
 TEST(KatTheory, DropTestByTheEnergyBalance) {
   const double e = modulus(kGlass, kGlass);
   for (const DropTest& row : kDropTests) {
-    EXPECT_NEAR(models::adhesive_energy_instant_J_m2(e, kGlass.density_kg_m3, row.speed_m_s,
+    EXPECT_NEAR(physics::adhesive_energy_instant_J_m2(e, kGlass.density_kg_m3, row.speed_m_s,
                                                      row.diameter_um * 1e-6),
                 row.gamma_J_m2, kTwoDecimals)
         << row.speed_m_s << " m/s";
@@ -53,11 +53,11 @@ TEST(KatTheory, DropTestByTheEnergyBalance) {
 TEST(KatTheory, DropTestByTheReboundTime) {
   const double e = modulus(kGlass, kGlass);
   for (const DropTest& row : kDropTests) {
-    EXPECT_NEAR(models::adhesive_energy_rebound_J_m2(e, kGlass.density_kg_m3, row.speed_m_s,
+    EXPECT_NEAR(physics::adhesive_energy_rebound_J_m2(e, kGlass.density_kg_m3, row.speed_m_s,
                                                      row.diameter_um * 1e-6),
                 row.gamma_rebound_J_m2, kOneDecimal)
         << row.speed_m_s << " m/s";
-    EXPECT_NEAR(1e9 * models::rebound_time_s(e, kGlass.density_kg_m3, 0.5e-6 * row.diameter_um,
+    EXPECT_NEAR(1e9 * physics::rebound_time_s(e, kGlass.density_kg_m3, 0.5e-6 * row.diameter_um,
                                              row.speed_m_s),
                 row.rebound_ns, kOneDecimal)
         << row.speed_m_s << " m/s";
@@ -74,7 +74,7 @@ TEST(KatTheory, PrintedFormOfTheEnergyBalance) {
                            std::pow(8 * k * k * std::pow(kGlass.density_kg_m3, 3) /
                                         (243 * kPi * kPi * std::pow(1.0107, 3)),
                                     0.2);
-    EXPECT_NEAR(models::adhesive_energy_instant_J_m2(e, kGlass.density_kg_m3, row.speed_m_s,
+    EXPECT_NEAR(physics::adhesive_energy_instant_J_m2(e, kGlass.density_kg_m3, row.speed_m_s,
                                                      row.diameter_um * 1e-6),
                 printed, rounded_constant * printed);
   }
@@ -91,7 +91,7 @@ const std::vector<SteelTest> kSteelTests = {{&kUpvc, 1.40, 46.0, 17.53, 17.175, 
 TEST(KatTheory, SteelPowder) {
   for (const SteelTest& t : kSteelTests) {
     const double e = modulus(kSteel, *t.plate);
-    const double gamma = models::adhesive_energy_instant_J_m2(e, kSteel.density_kg_m3, t.speed_m_s,
+    const double gamma = physics::adhesive_energy_instant_J_m2(e, kSteel.density_kg_m3, t.speed_m_s,
                                                               t.diameter_um * 1e-6);
     EXPECT_NEAR(gamma, t.recomputed_J_m2, t.last_digit) << t.plate->name;
     // The source prints values that its own inputs miss by 2-4 %.
@@ -113,37 +113,37 @@ TEST(KatTheory, CriticalDiametersOfTheInstantStop) {
                                        {107.6, 2.21, &kGlass, 52.93},
                                        {102.84, 2.96, &kGlass, 35.63}}) {
     const JkrLaw law(modulus(kSteel, *r.plate), r.gamma);
-    const double d = 1e6 * models::critical_diameter_instant_m(law, kSteel.density_kg_m3, r.speed);
+    const double d = 1e6 * physics::critical_diameter_instant_m(law, kSteel.density_kg_m3, r.speed);
     EXPECT_NEAR(d, r.target_um, target_um_relative * r.target_um);
   }
   const JkrLaw law(modulus(kSteel, kUpvc), 17.175);
   constexpr double last_digit_um = 0.0005;
-  EXPECT_NEAR(1e6 * models::critical_diameter_instant_m(law, kSteel.density_kg_m3, 1.40), 45.999,
+  EXPECT_NEAR(1e6 * physics::critical_diameter_instant_m(law, kSteel.density_kg_m3, 1.40), 45.999,
               last_digit_um);
 }
 
 TEST(KatTheory, CriticalSpeedOfOneSphere) {
   const JkrLaw law(modulus(kSteel, kUpvc), 17.16);
   constexpr double last_digit_m_s = 5e-6;
-  const double v = models::critical_speed_instant_m_s(law, 23e-6, kSteel.density_kg_m3);
+  const double v = physics::critical_speed_instant_m_s(law, 23e-6, kSteel.density_kg_m3);
   EXPECT_NEAR(v, 1.39895, last_digit_m_s);
-  const double kinetic = 0.5 * models::sphere_mass_kg(23e-6, kSteel.density_kg_m3) * v * v;
-  EXPECT_NEAR(kinetic, models::detachment_work_J(law, 23e-6), kRounding * kinetic);
+  const double kinetic = 0.5 * physics::sphere_mass_kg(23e-6, kSteel.density_kg_m3) * v * v;
+  EXPECT_NEAR(kinetic, physics::detachment_work_J(law, 23e-6), kRounding * kinetic);
 }
 
 TEST(KatTheory, ExponentsOfTheInstantStop) {
   const JkrLaw law(modulus(kGlass, kGlass), 0.4);
   const auto d = [&](double v) {
-    return models::critical_diameter_instant_m(law, kGlass.density_kg_m3, v);
+    return physics::critical_diameter_instant_m(law, kGlass.density_kg_m3, v);
   };
   EXPECT_NEAR(std::log(d(6.0) / d(1.5)) / std::log(4.0), -6.0 / 5.0, kRounding);
   const auto v = [&](double r) {
-    return models::critical_speed_instant_m_s(law, r, kGlass.density_kg_m3);
+    return physics::critical_speed_instant_m_s(law, r, kGlass.density_kg_m3);
   };
   EXPECT_NEAR(std::log(v(8e-5) / v(1e-5)) / std::log(8.0), -5.0 / 6.0, kRounding);
   const JkrLaw sticky(modulus(kGlass, kGlass), 4.0);
   EXPECT_NEAR(
-      std::log10(models::critical_speed_instant_m_s(sticky, 2e-5, kGlass.density_kg_m3) / v(2e-5)),
+      std::log10(physics::critical_speed_instant_m_s(sticky, 2e-5, kGlass.density_kg_m3) / v(2e-5)),
       5.0 / 6.0, kRounding);
 }
 
@@ -153,24 +153,24 @@ TEST(KatTheory, InversePairs) {
   for (const double gamma : {0.01, 1.0, 100.0}) {
     const JkrLaw law(e, gamma);
     for (const double v : {0.3, 3.0}) {
-      const double d = models::critical_diameter_instant_m(law, rho, v);
-      EXPECT_NEAR(models::adhesive_energy_instant_J_m2(e, rho, v, d), gamma, kRounding * gamma);
-      EXPECT_NEAR(models::critical_speed_instant_m_s(law, d / 2, rho), v, kRounding * v);
+      const double d = physics::critical_diameter_instant_m(law, rho, v);
+      EXPECT_NEAR(physics::adhesive_energy_instant_J_m2(e, rho, v, d), gamma, kRounding * gamma);
+      EXPECT_NEAR(physics::critical_speed_instant_m_s(law, d / 2, rho), v, kRounding * v);
     }
     for (const double a : {1e3, 1e5}) {
-      const double d = models::critical_diameter_slow_m(gamma, rho, a);
-      EXPECT_NEAR(models::adhesive_energy_slow_J_m2(rho, a, d), gamma, kRounding * gamma);
+      const double d = physics::critical_diameter_slow_m(gamma, rho, a);
+      EXPECT_NEAR(physics::adhesive_energy_slow_J_m2(rho, a, d), gamma, kRounding * gamma);
     }
     const double a0 = law.equilibrium_contact_radius_m(23e-6);
-    EXPECT_NEAR(models::adhesive_energy_contact_radius_J_m2(e, 23e-6, a0), gamma,
+    EXPECT_NEAR(physics::adhesive_energy_contact_radius_J_m2(e, 23e-6, a0), gamma,
                 kRounding * gamma);
   }
 }
 
 TEST(KatTheory, SlowStopBalancesWeightAndPullOff) {
   const double gamma = 0.09, a = 5e4;
-  const double radius = models::critical_diameter_slow_m(gamma, kGlass.density_kg_m3, a) / 2;
-  const double inertia = models::sphere_mass_kg(radius, kGlass.density_kg_m3) * a;
+  const double radius = physics::critical_diameter_slow_m(gamma, kGlass.density_kg_m3, a) / 2;
+  const double inertia = physics::sphere_mass_kg(radius, kGlass.density_kg_m3) * a;
   const double pull_off = JkrLaw(modulus(kGlass, kGlass), gamma).pull_off_force_N(radius);
   EXPECT_NEAR(inertia, pull_off, kRounding * pull_off);
 }
@@ -185,11 +185,11 @@ TEST(KatTheory, ReboundTimeIsHertz) {
       },
       0.0, 1.0);
   const double e = modulus(kGlass, kGlass), radius = 30e-6, v = 3.0;
-  const double m = models::sphere_mass_kg(radius, kGlass.density_kg_m3);
+  const double m = physics::sphere_mass_kg(radius, kGlass.density_kg_m3);
   const double deepest = std::pow(15 * m * v * v / (16 * e * std::sqrt(radius)), 0.4);
   const double exact = 2 * deepest / v * shape;
   constexpr double printed_factor = 1.5e-3;  // 2.865 for 2.8683
-  EXPECT_NEAR(models::rebound_time_s(e, kGlass.density_kg_m3, radius, v), exact,
+  EXPECT_NEAR(physics::rebound_time_s(e, kGlass.density_kg_m3, radius, v), exact,
               printed_factor * exact);
 }
 
@@ -199,9 +199,9 @@ TEST(KatTheory, TouchAndGoCostsLessThanDetachmentFromRest) {
   const double at_rest = std::sqrt(law.equilibrium_contact_radius_m(radius));
   const double gain =
       law.energy_J(law.first_root(0.0, radius), radius) - law.energy_J(at_rest, radius);
-  const double detach = models::detachment_work_J(law, radius);
+  const double detach = physics::detachment_work_J(law, radius);
   EXPECT_GT(gain, 0.0);
-  EXPECT_NEAR(models::touch_and_go_work_J(law, radius), detach - gain, kRounding * detach);
+  EXPECT_NEAR(physics::touch_and_go_work_J(law, radius), detach - gain, kRounding * detach);
 }
 
 }  // namespace

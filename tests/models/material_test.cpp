@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Effective moduli against limits, symmetry and other forms of the same laws; the known materials.
-#include "models/material.h"
+#include "physics/contact/material.h"
 
 #include <limits>
 #include <set>
@@ -14,10 +14,10 @@
 namespace powderlink {
 namespace {
 
-using models::effective_shear_modulus_Pa;
-using models::effective_youngs_modulus_Pa;
-using models::Material;
-using models::reduced_radius_m;
+using physics::effective_shear_modulus_Pa;
+using physics::effective_youngs_modulus_Pa;
+using physics::Material;
+using physics::reduced_radius_m;
 using test::refuses;
 
 constexpr double kRounding = 1e-14;  // of a few products and quotients
@@ -25,7 +25,7 @@ constexpr double kRounding = 1e-14;  // of a few products and quotients
 const std::vector<Material>& known() {
   static const std::vector<Material> materials = {
 #define POWDERLINK_MATERIAL(NAME, DENSITY, MODULUS, POISSON) {NAME, DENSITY, MODULUS, POISSON},
-#include "models/materials.def"
+#include "physics/contact/materials.def"
 #undef POWDERLINK_MATERIAL
   };
   return materials;

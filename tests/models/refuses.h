@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "models/invalid_input.h"
+#include "base/invalid_input.h"
 
 namespace powderlink::test {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The stop of the plate: momentum, peaks, a sampled pulse against its analytic shape, bad tables.
-#include "models/stop_pulse.h"
+#include "physics/kat/stop_pulse.h"
 
 #include <cmath>
 #include <limits>
@@ -15,7 +15,7 @@
 namespace powderlink {
 namespace {
 
-using models::StopPulse;
+using physics::StopPulse;
 using test::refuses;
 
 constexpr double kPi = 3.14159265358979323846;

@@ -2,9 +2,9 @@
 // Diameters from ImageJ's own perimeters: disks of known size, and tables that only look like its.
 #include <gtest/gtest.h>
 
-#include "analysis/laboratory/grain_files.h"
-#include "analysis/particles/imagej_perimeter.h"
-#include "analysis/particles/particle_table.h"
+#include "analysis/kat/experiment/grain_files.h"
+#include "analysis/sizes/imagej_perimeter.h"
+#include "analysis/sizes/particle_table.h"
 #include "tests/analysis/retention_sample.h"
 #include "tests/analysis/test_files.h"
 #include "tests/psd/imagej_table.h"

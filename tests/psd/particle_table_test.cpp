@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Tables of grains: the numbers of disks and ellipses are known in closed form.
-#include "analysis/particles/particle_table.h"
+#include "analysis/sizes/particle_table.h"
 
 #include <fmt/format.h>
 
-#include "analysis/csv_table.h"
-#include "analysis/file_patterns.h"
+#include "base/csv/csv_table.h"
+#include "base/files/file_patterns.h"
 #include "tests/analysis/test_files.h"
 
 namespace powderlink::analysis {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is pasted into the host programs draws the powder that was measured, whatever its sizes are.
-#include "analysis/psd/powder_inputs.h"
+#include "analysis/sizes/pictures/powder_inputs.h"
 
 #include <fmt/format.h>
 
@@ -10,7 +10,7 @@
 #include <numeric>
 #include <regex>
 
-#include "analysis/psd/powder_classes.h"
+#include "analysis/sizes/pictures/powder_classes.h"
 #include "tests/analysis/test_files.h"
 
 namespace powderlink::analysis {

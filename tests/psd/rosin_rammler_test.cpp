@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Fits against the parameters that made the sample, and their scatter against Fisher's information.
-#include "analysis/particles/rosin_rammler.h"
+#include "analysis/sizes/rosin_rammler.h"
 
 #include <boost/random/mersenne_twister.hpp>
 #include <boost/random/normal_distribution.hpp>

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Drawn spheres of known sizes: counts, sizes and both diameters, over noise, blur, light and density.
-#include "analysis/psd/segmentation.h"
+#include "analysis/sizes/pictures/segmentation.h"
 
 #include <numeric>
 #include <opencv2/imgcodecs.hpp>
 
-#include "analysis/particles/size_distribution.h"
-#include "analysis/psd/edge_blur.h"
-#include "analysis/psd/split_touching.h"
+#include "analysis/sizes/size_distribution.h"
+#include "analysis/sizes/pictures/edge_blur.h"
+#include "analysis/sizes/pictures/split_touching.h"
 #include "tests/analysis/test_files.h"
 #include "tests/psd/drawn_spheres.h"
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Quantiles and their intervals against closed forms.
-#include "analysis/particles/size_distribution.h"
+#include "analysis/sizes/size_distribution.h"
 
 #include <boost/math/distributions/lognormal.hpp>
 #include <boost/random/lognormal_distribution.hpp>
 #include <boost/random/mersenne_twister.hpp>
 
-#include "analysis/particles/bootstrap.h"
+#include "base/statistics/bootstrap.h"
 #include "tests/analysis/test_files.h"
 
 namespace powderlink::analysis {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Tables of grains that cannot be, and those that are doubtful.
-#include "analysis/particles/table_doubts.h"
+#include "analysis/sizes/table_doubts.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "analysis/laboratory/grain_files.h"
-#include "analysis/particles/particle_table.h"
+#include "analysis/kat/experiment/grain_files.h"
+#include "analysis/sizes/particle_table.h"
 #include "tests/analysis/test_files.h"
 #include "tests/psd/imagej_table.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Scale and number of pictures of TIFFs as Fiji and microscopes write them, and what becomes of both.
-#include "analysis/psd/tiff_facts.h"
+#include "analysis/sizes/pictures/tiff_facts.h"
 
 #include <fmt/format.h>
 

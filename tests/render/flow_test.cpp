@@ -14,7 +14,7 @@
 #include "analysis/render/flow_picture.h"
 #include "analysis/render/flow_series.h"
 #include "analysis/render/particle_frame.h"
-#include "liggghts_styles/models/invalid_input.h"
+#include "base/invalid_input.h"
 #include "tests/render/dump_sample.h"
 
 namespace powderlink::render::test {

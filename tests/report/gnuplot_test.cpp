@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Texts go through gnuplot unharmed and come out as titles; fingerprints are SHA-1.
-#include "analysis/gnuplot.h"
+#include "base/gnuplot/gnuplot.h"
 
-#include "analysis/file_text.h"
+#include "base/files/file_text.h"
 #include "tests/analysis/test_files.h"
 
 namespace powderlink::analysis {

@@ -16,9 +16,9 @@ POWDERLINK_EFFECT(breaking_film, BreakingFilm)
 
 #include <cmath>
 
-#include "models/effect.h"
+#include "physics/effects/effect.h"
 
-namespace powderlink::models {
+namespace powderlink::physics {
 
 class BreakingFilm : public Effect {
  public:
@@ -42,6 +42,6 @@ class BreakingFilm : public Effect {
   double surplus_, radius_;
 };
 
-}  // namespace powderlink::models
+}  // namespace powderlink::physics
 #endif
 #endif

@@ -9,7 +9,7 @@
 #include <random>
 
 #include "analysis/evidence/diagnosis.h"
-#include "models/effect_registry.h"
+#include "physics/effects/effect_registry.h"
 #include "tests/analysis/command_line.h"
 
 namespace powderlink::analysis {
@@ -43,8 +43,8 @@ const char* kStudy =
     "[fit]\nadhesive_energy_J_m2 = [0.001, 1000.0]\n";
 
 TEST(UserEffect, IsInTheListAfterOneLine) {
-  EXPECT_EQ(models::find_effect("breaking_film").info->parameters.size(), 2U);
-  EXPECT_NO_THROW(models::find_effect("finite_stop_pulse")) << "beside all others";
+  EXPECT_EQ(physics::find_effect("breaking_film").info->parameters.size(), 2U);
+  EXPECT_NO_THROW(physics::find_effect("finite_stop_pulse")) << "beside all others";
 }
 
 TEST(UserEffect, IsNamedAndTheErrorFalls) {

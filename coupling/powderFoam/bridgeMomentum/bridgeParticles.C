@@ -2,7 +2,7 @@
 
 #include "bridgeParticles.H"
 
-#include "coupling/bridge/coupling_fields.h"
+#include "coupling/bridge/exchange/coupling_fields.h"
 
 #include <cstring>
 

@@ -2,7 +2,7 @@
 
 #include "bridgeValues.H"
 
-#include "coupling/bridge/coupling_fields.h"
+#include "coupling/bridge/exchange/coupling_fields.h"
 
 namespace bridge = powderlink::bridge;
 

@@ -3,7 +3,7 @@
 #include "momentumAccount.H"
 #include "dictionaryChecks.H"
 
-#include "coupling/forces/semi_implicit_step.h"
+#include "physics/fluid_forces/semi_implicit_step.h"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 

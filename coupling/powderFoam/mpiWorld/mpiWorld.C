@@ -5,8 +5,8 @@
 #include "OSspecific.H"
 #include "Pstream.H"
 
-#include "coupling/bridge/coupling_link.h"
-#include "coupling/bridge/own_world.h"
+#include "coupling/bridge/link/coupling_link.h"
+#include "coupling/bridge/transport/own_world.h"
 
 #include <mpi.h>
 

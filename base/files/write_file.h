@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file write_file.h
+/// Results appear whole or not at all: written beside, then renamed.
+/// Tests: tests/analysis/commands_test.cpp
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace powderlink {
+
+/// Throws InvalidInput when the folder does not exist or cannot be written; an older file stays.
+void write_file(const std::filesystem::path& file, const std::string& content);
+
+/// For long jobs: throws now what write_file() would throw at their end for a folder that is
+/// absent.
+void require_folder_of(const std::filesystem::path& file);
+
+}  // namespace powderlink

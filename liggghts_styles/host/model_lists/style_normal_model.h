@@ -1,3 +1,0 @@
-// Normal models of LIGGGHTS that combine with tangential model `spring_slider_dashpot`; stands in for the list
-// that the LIGGGHTS package does not ship. The plugin's own is host/normal_model_jkr.h.
-#include "normal_model_hertz.h"
