@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# scripts/check_docs.sh [--links | --scripts LAUNCHER]
+# scripts/check_docs.sh [--links | --forces | --scripts LAUNCHER]
 # --links: every relative link of our pages leads to a file.
+# --forces: every law of forces.def has its row in docs/theory_coupling.md, and every row its law.
 # --scripts: every LIGGGHTS script and every job shown in a page, in one folder per page and in its order,
 #   ends with status 0 and prints what the page says. Marked by a line before its block:
 #   <!-- file: NAME -->                     written only (scripts/page_files.sh)
@@ -26,6 +27,29 @@ links() {
       [[ -z $target || $target == *://* || $target == mailto:* || -e $(dirname "$page")/$target ]] ||
         broken "$page: link to $target; given: no such file; allowed: a file of the repository; to do: correct the link"
     done < <(grep -oE '\]\([^)]+\)' "$page" | sed -E 's/^\]\(//; s/\)$//')
+  done
+}
+
+forces() {
+  local list=coupling/forces/forces.def page=docs/theory_coupling.md header name laws=() rows=()
+  while IFS= read -r header; do
+    name=$(sed -nE 's/^POWDERLINK_FORCE\(([a-z0-9_]+),.*/\1/p' "$header" 2>/dev/null || true)
+    if [[ -n $name ]]; then
+      laws+=("$name")
+    else
+      broken "$header of $list; given: no line POWDERLINK_FORCE(name, Class); allowed: one; to do: see the other laws"
+    fi
+  done < <(sed -nE 's/^#include "(.*)"$/\1/p' "$list")
+  # shellcheck disable=SC2016
+  mapfile -t rows < <(sed -n '/^<!-- forces:begin -->$/,/^<!-- forces:end -->$/s/^| `\([^`]*\)` |.*/\1/p' "$page")
+  ((${#laws[@]} > 0)) || broken "$list: given: no laws; allowed: one line #include per law; to do: see its head"
+  for name in "${laws[@]}"; do
+    (($(printf '%s\n' "${rows[@]}" | grep -cxF -- "$name" || true) == 1)) ||
+      broken "$page: table of forces; given: not one row for $name of $list; allowed: one; to do: write its law there"
+  done
+  for name in "${rows[@]}"; do
+    printf '%s\n' "${laws[@]}" | grep -qxF -- "$name" ||
+      broken "$page: table of forces; given: $name; allowed: laws of $list; to do: remove the row or correct its name"
   done
 }
 
@@ -72,7 +96,8 @@ scripts() {
 
 case ${1:-} in
   --links) links ;;
+  --forces) forces ;;
   --scripts) scripts "${2:?launcher: build/bin/liggghts-powderlink}" ;;
-  *) sed -n '2,9s/^# //p' "${BASH_SOURCE[0]}" >&2; exit 2 ;;
+  *) sed -n '2,10s/^# //p' "${BASH_SOURCE[0]}" >&2; exit 2 ;;
 esac
 exit $status
