@@ -18,8 +18,8 @@ namespace powderlink::host {
 std::string write_checkpoint(LAMMPS_NS::LAMMPS* lmp, const std::string& file);
 
 /// Collective: atoms to the ranks and into the box they belong to, as LIGGGHTS does before it writes a
-/// restart file, in the order of atom_order.h, and new neighbour lists. Between two rebuilds atoms may stand outside of the box,
-/// and a restart file with such atoms cannot be read.
+/// restart file, in the order of atom_order.h, and new neighbour lists. Between two rebuilds atoms may
+/// stand outside of the box, and a restart file with such atoms cannot be read.
 void bring_atoms_home(LAMMPS_NS::LAMMPS* lmp);
 
 }  // namespace powderlink::host
