@@ -5,7 +5,9 @@
 ///   F(h) = -q^2 / (16 pi eps0 (R + h)^2),   U(h) = -q^2 / (16 pi eps0 (R + h)),
 ///   q = 4 pi R^2 sigma
 ///
-/// Symbols: sigma surface charge density [C/m^2], h gap [m], eps0 8.8541878128e-12 F/m.
+/// Symbols: q charge [C], sigma surface charge density [C/m^2], R radius [m], h gap [m], v impact
+/// speed [m/s], rho density of the sphere [kg/m^3], eps0 8.8541878128e-12 F/m.
+/// Sign: F < 0 attracts; U is 0 at infinity.
 /// The potential scales with R^3 as the kinetic energy does, so below
 /// v^2 = 3 sigma^2/(2 rho eps0) nothing leaves at any size.
 /// Validity: conducting plate, charge that does not move on the sphere.
