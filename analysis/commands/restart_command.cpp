@@ -73,10 +73,9 @@ void add_restart_command(CLI::App& app) {
   c->add_option("case", o->folder, "folder of the coupled run")->required();
   c->add_option("--json", o->json, "write the pair to this file too");
   c->add_option("--dt", o->time_step_s, "DEM time step [s] (default: from log.liggghts or in.*)");
-  c->add_option(
-       "--checkpoint", o->dem_prefix,
-       "beginning of LIGGGHTS's restart files within the case: the word after `checkpoint` "
-       "of fix couple/bridge")
+  c->add_option("--checkpoint", o->dem_prefix,
+                "beginning of LIGGGHTS's restart files within the case: "
+                "the word after `checkpoint` of fix couple/bridge")
       ->capture_default_str();
   c->add_flag("--prepare", o->prepare,
               "make the case start from it; later time folders are moved to discarded/");

@@ -82,9 +82,9 @@ class OutletFlow : public FlowObservable {
     found.numbers.push_back({"outlet_grains_1_s", rate_1_s});
     if (!rms) {
       found.notes.push_back(
-          fmt::format("no RMS of the flow through the outlet: {} counts in {:g} s leave fewer than "
-                      "two averages "
-                      "over {:g} s, or no grain left; run longer, or give a shorter --average",
+          fmt::format("no RMS of the flow through the outlet: "
+                      "{} counts in {:g} s leave fewer than two averages over {:g} s, "
+                      "or no grain left; run longer, or give a shorter --average",
                       left.times_s.size(), record_s, window_s));
     }
     const std::optional<double> floor =
@@ -166,10 +166,10 @@ class OutletFlow : public FlowObservable {
     const auto counts = read_counts(scene.folder);
     for (const char* column : {"time_s", "escaped", "escaped_kg"}) {
       if (counts.count(column) != 0) continue;
-      found.notes.push_back(fmt::format(
-          "no flow through the outlet: post/particle_count.csv has no column {}; print what fix "
-          "massflow/mesh has counted, as in foam_cases/pipe",
-          column));
+      found.notes.push_back(
+          fmt::format("no flow through the outlet: post/particle_count.csv has no column {}; "
+                      "print what fix massflow/mesh has counted, as in foam_cases/pipe",
+                      column));
       return false;
     }
     for (std::size_t i = 0; i < counts.at("time_s").size(); ++i) {
@@ -183,9 +183,9 @@ class OutletFlow : public FlowObservable {
     }
     if (left.times_s.size() >= kFewRows) return true;
     found.notes.push_back(
-        fmt::format("no flow through the outlet: post/particle_count.csv has {} rows from --from "
-                    "on; run longer, "
-                    "or give an earlier --from",
+        fmt::format("no flow through the outlet: "
+                    "post/particle_count.csv has {} rows from --from on; "
+                    "run longer, or give an earlier --from",
                     left.times_s.size()));
     return false;
   }

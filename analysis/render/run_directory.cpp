@@ -60,11 +60,10 @@ RunResults read_results(const fs::path& run) {
                                    speed.is_null() ? 0.0 : speed.get<double>()});
     }
   } catch (const nlohmann::json::exception& error) {
-    throw InvalidInput(
-        "reading " + file.string(), error.what(),
-        "JSON with critical_diameter_m, impact_velocity_m_s, time_step_s and particles "
-        "(each with diameter_m, attached, speed_m_s)",
-        "run the drop test again");
+    throw InvalidInput("reading " + file.string(), error.what(),
+                       "JSON with critical_diameter_m, impact_velocity_m_s, time_step_s "
+                       "and particles (each with diameter_m, attached, speed_m_s)",
+                       "run the drop test again");
   }
   return results;
 }

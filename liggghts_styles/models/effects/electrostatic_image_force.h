@@ -33,8 +33,8 @@ class ElectrostaticImageForce : public Effect {
         "d_c diverges at low v (nothing leaves below a speed), slope -1.2 at high v",
         {{"surface_charge_C_m2", 0.0, 2e-5, 1e-9, 1e-2, 0.0, 1e-4,
           "breakdown of air: 2.7e-5 C/m2 on large, some times more on small spheres"}},
-        "neutralise the powder (ionised air, a conducting plate earthed): d_c at low speed must "
-        "fall"};
+        "neutralise the powder (ionised air, a conducting plate earthed): "
+        "d_c at low speed must fall"};
     return i;
   }
 
