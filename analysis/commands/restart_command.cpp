@@ -54,10 +54,11 @@ void run(const Options& o) {
         o.dem_prefix, pair.fields.time_s);
   } else {
     fmt::print(
-        "to continue: --prepare moves later time folders to discarded/, sets startFrom latestTime "
-        "and links\n{0}latest; or do so by hand: startFrom startTime; startTime {1}; and a "
-        "LIGGGHTS script with\n`read_restart {0}{2}` in place of create_box and what fills the "
-        "box.\n",
+        "to continue: --prepare moves later time folders to discarded/, "
+        "sets startFrom latestTime and links\n"
+        "{0}latest; or do so by hand: startFrom startTime; startTime {1}; "
+        "and a LIGGGHTS script with\n"
+        "`read_restart {0}{2}` in place of create_box and what fills the box.\n",
         o.dem_prefix, pair.fields.name, pair.dem.step);
   }
   if (!o.json.empty()) write_file(o.json, json_of(pair, o.prepare));

@@ -78,8 +78,8 @@ class InletPressure : public FlowObservable {
     }
     std::string text =
         elbow ? fmt::format(
-                    "# straight pieces that meet, the elbow at {:.9g} s, 95 % {:.9g} to "
-                    "{:.9g} s, from {:.0f} independent rows\n",
+                    "# straight pieces that meet, the elbow at {:.9g} s, "
+                    "95 % {:.9g} to {:.9g} s, from {:.0f} independent rows\n",
                     elbow->time, elbow->interval.from, elbow->interval.to, elbow->independent_rows)
               : "";
     text += "time_s,pressure_Pa,fit_Pa\n";

@@ -97,9 +97,8 @@ class OutletFlow : public FlowObservable {
     found.numbers.push_back({"outlet_flow_rms_floor_percent", floor});
     if (rms && floor) {
       found.text = fmt::format(
-          "outlet: {:.5g} kg/s, RMS {:.3g} % over {:g} s in {:.0f} windows; independent grains "
-          "alone "
-          "give {:.3g} %\n",
+          "outlet: {:.5g} kg/s, RMS {:.3g} % over {:g} s in {:.0f} windows; "
+          "independent grains alone give {:.3g} %\n",
           mean_kg_s, rms->rms_percent, window_s, windows, *floor);
     }
     std::string table = fmt::format(
@@ -194,8 +193,8 @@ class OutletFlow : public FlowObservable {
   void add_windows(const LeftMass& left, double rate_1_s, double record_s,
                    FlowFindings& found) const {
     std::string table =
-        "# RMS deviation of the flow through the outlet over the window; 95 % interval of "
-        "independent windows; floor of independent grains\n"
+        "# RMS deviation of the flow through the outlet over the window; "
+        "95 % interval of independent windows; floor of independent grains\n"
         "window_s,rms_percent,low_percent,high_percent,floor_percent\n";
     std::size_t rows = 0;
     const double step_s = record_s / static_cast<double>(left.times_s.size() - 1);

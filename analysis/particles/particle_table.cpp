@@ -48,8 +48,9 @@ double positive(const CsvTable& table, const CsvTable::Row& row, std::size_t col
   if (value > 0.0) return value;
   const bool lost = value == 0.0 && row.cells[column].find_first_of(".,") != std::string::npos;
   throw InvalidInput(table.place(row, column), row.cells[column], "a number above 0",
-                     lost ? "in ImageJ raise \"Decimal places\" or tick \"Scientific notation\" in "
-                            "Analyze > Set Measurements, or give the unit um in Analyze > Set Scale"
+                     lost ? "in ImageJ raise \"Decimal places\" or tick \"Scientific notation\" "
+                            "in Analyze > Set Measurements, "
+                            "or give the unit um in Analyze > Set Scale"
                           : "remove the row");
 }
 

@@ -239,8 +239,9 @@ double check_digits(const RawTable& raw, std::vector<std::string>& notes) {
       fmt::format("areas in steps of {:g}, as in {}: diameters are known to +-{:.2g} %", steps[at],
                   area_cell(raw, at), 100.0 * parts[at]);
   const char* cure =
-      "in ImageJ raise \"Decimal places\" or tick \"Scientific notation\" in Analyze > Set "
-      "Measurements, or give the unit um in Analyze > Set Scale, and measure again";
+      "in ImageJ raise \"Decimal places\" or tick \"Scientific notation\" "
+      "in Analyze > Set Measurements, or give the unit um in Analyze > Set Scale, "
+      "and measure again";
   if (parts[at] > kLargestStep) {
     throw InvalidInput(raw.table.place(raw.table.rows[at], raw.columns.area), known,
                        fmt::format("digits that tell diameters to +-{:g} %", 100.0 * kLargestStep),
