@@ -73,8 +73,8 @@ void first_side(Transport& transport, const std::string& name) {
     decode(frame, view);
   });
   std::printf(
-      "%-6s ping %5.1f us; 16 000 x 8 doubles each way: bytes only %.3f ms, as checked "
-      "frames %.3f ms\n",
+      "%-6s ping %5.1f us; 16 000 x 8 doubles each way: bytes only %.3f ms, "
+      "as checked frames %.3f ms\n",
       name.c_str(), ping_us, 1e-3 * raw_us, 1e-3 * whole_us);
   std::fflush(stdout);
 }

@@ -6,14 +6,16 @@
 ///   assumed noise  score = (m + nu) ln(1 + chi^2/nu), nu = 2: the noise itself is uncertain
 ///   BIC = score + prior + k ln n
 ///
-/// Rows of known noise add their chi^2, and each kind of rows with an assumed one its own m and chi^2.
+/// The score is a sum: rows of known noise add their chi^2, and each kind of rows with an assumed noise
+/// adds a term with its own m and chi^2.
 ///
-/// Known beforehand: a fitted value outside its plausible range costs the square of the decades that it
-/// is off, in the fit and in BIC. And values outside are taken only if the data insist: if the best fit
-/// within the plausible ranges is worse by more than kApart of BIC.
+/// prior: a fitted value outside its plausible range costs the square of the decades that it is off, in
+/// the fit and in BIC. Of one added effect values outside are taken only if the data insist, that is if
+/// the best fit within the plausible ranges has a BIC that is higher by more than kApart.
 /// k counts the parameters that the data need: one of an added effect that may as well keep its
 /// typical value (BIC is not higher then) is held there and said to be undetermined.
-/// Symbols: n rows. Source: G. Schwarz, Ann. Statist. 6 (1978) 461.
+/// Symbols: n rows, m rows of one kind with assumed noise, k fitted parameters, chi^2 sum of the squared
+/// residuals in sigmas. Source: G. Schwarz, Ann. Statist. 6 (1978) 461.
 /// Tests: tests/analysis/study_fit_test.cpp
 #pragma once
 
@@ -35,7 +37,8 @@ struct ParameterEstimate {
   Role role = Role::fixed;
   double lower = 0.0, upper = 0.0;  ///< bounds of the fit
   bool at_bound = false;
-  bool held_back = false;  ///< by a bound that the study set, or that chi^2 pushes it against
+  /// A bound stopped it: one that the study set, or one that chi^2 pushes it against.
+  bool held_back = false;
   double plausible_lower = 0.0, plausible_upper = 0.0;
   std::string source;  ///< of the plausible range
   bool plausible() const { return value >= plausible_lower && value <= plausible_upper; }

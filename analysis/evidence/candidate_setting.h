@@ -18,7 +18,8 @@ namespace powderlink::analysis {
 
 inline constexpr const char* kEnergy = "adhesive_energy_J_m2";
 
-/// Parameters of an effect beyond which dry solids do not go; Gamma has no entry in the registry.
+/// Upper end of the plausible range of the adhesive energy: dry solids do not go beyond it. It stands
+/// here because Gamma is no parameter of an effect and so has no line in models/effects.def.
 inline constexpr double kPlausibleEnergy_J_m2 = 10.0;
 
 /// Where a fitted value goes.

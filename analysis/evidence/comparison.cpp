@@ -29,8 +29,7 @@ std::vector<std::string> doubts(const Comparison& c, const Study& study) {
   }
   if (!velocities_spread(study)) {
     words.push_back(
-        "the velocities of the rows differ by less than 5 %: how d_c changes cannot be "
-        "judged");
+        "the velocities of the rows differ by less than 5 %: how d_c changes cannot be judged");
   }
   for (const ParameterEstimate& p : c.fit.parameters) {
     if (p.at_bound) words.push_back(bound_text(p));
@@ -89,8 +88,8 @@ std::string doubtful_unit(const Comparison& c, const Study& study, const Observa
     if (off >= best) continue;
     best = off;
     question = fmt::format(
-        "with critical diameters {:g} times as large the model is off by {:.1f} % only: were {} "
-        "given where micrometres are meant?",
+        "with critical diameters {:g} times as large the model is off by {:.1f} % only: "
+        "were {} given where micrometres are meant?",
         s.factor, 100.0 * rms_relative_error(fit.rms), s.unit);
   }
   return question;
@@ -166,9 +165,9 @@ void judge(Comparison& c, const Study& study, const Observations& observations,
   }
   if (fails && !observations.known() && !beyond_assumed(c.residuals, observations)) {
     c.words.push_back(
-        "what fails is the trend, not the size of the residuals, and the noise was assumed, not "
-        "measured: errors of reading that change with velocity look the same; repeated drops or "
-        "a column critical_diameter_sigma_um would tell");
+        "what fails is the trend, not the size of the residuals, and the noise was assumed, "
+        "not measured: errors of reading that change with velocity look the same; "
+        "repeated drops or a column critical_diameter_sigma_um would tell");
   }
   for (const std::string& direction : c.uncertainty.flat)
     c.words.push_back("the data leave open: " + direction);

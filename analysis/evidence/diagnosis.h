@@ -2,17 +2,17 @@
 /// \file diagnosis.h
 /// Which effect is missing, if any: the rules of evidence.
 ///
-/// 1. The study's own model is fitted. Unless a test of its residuals fails (5 tests at most, after
-///    Holm, at kAlarm) nothing is missing: `no_missing_effect`. A fit at a bound is never that sure: then
-///    `ambiguous`, and nothing is named.
-/// 2. Every effect of the catalogue is added and fitted. A candidate *suffices* when its own residuals
-///    pass and it clears the baseline by kClears of BIC. Rows with an
-///    assumed noise pass with an rms of at most twice that noise.
+/// 1. The study's own model is fitted. Unless its residuals fail (residual_checks.h: a test at kAlarm
+///    after Holm, or an rms beyond an assumed noise) nothing is missing: `no_missing_effect`. A fit at
+///    a bound is never that sure: then `ambiguous`, and nothing is named.
+/// 2. Every effect of the catalogue is added and fitted. A candidate *suffices* when it clears the
+///    baseline by kClears of BIC and its own residuals pass: no test below kSuffices (of the scatter
+///    alone, if a row has an assumed noise), and rows with an assumed noise within kRmsOverAssumed.
 /// 3. The best that suffices is named alone, `missing_effect`, when it leads every other one that
-///    suffices by kApart, is not at a bound, nor is the baseline, it leads
-///    foreign patterns (patterns.h) as well, and it is plausible or no plausible one that suffices is
-///    within 4 of BIC (with an assumed noise: at all). Otherwise `ambiguous`; all that cannot be told
-///    apart are named, and with an implausible leader that plausible one, which then is `best`.
+///    suffices, and foreign patterns (patterns.h), by kApart of BIC, when no bound holds it or the
+///    baseline back, and when it is plausible or no plausible one that suffices is within 4 of BIC
+///    (with an assumed noise: at all). Otherwise `ambiguous`; all that cannot be told apart are named,
+///    and with an implausible leader that plausible one, which then is `best`.
 /// 4. When none suffices, pairs are tried. A pair that does makes `ambiguous`: so many parameters
 ///    prove little. Else `unexplained`.
 /// Implausible parameters mark a candidate and do not remove it.

@@ -161,8 +161,7 @@ NextMeasurement next_measurement(const Study& study, const Observations& observa
     const Best best = largest_separation(next.curves[0], next.curves[b], sigma);
     const double v = velocities[best.point];
     detail += fmt::format(
-        "{}{:.2g} m/s, where {} predicts {:.3g} um and {} {:.3g} um ({:.1f} sigma "
-        "of one drop)",
+        "{}{:.2g} m/s, where {} predicts {:.3g} um and {} {:.3g} um ({:.1f} sigma of one drop)",
         b > 1 ? "; " : "", v, next.curves[0].name, next.curves[0].diameter_um[best.point],
         next.curves[b].name, next.curves[b].diameter_um[best.point], best.separation);
     if (b == 1 || best.separation < worst) {

@@ -64,8 +64,8 @@ std::string source_text(const TableNoise& t) {
 
 std::string TableNoise::text() const {
   return source_text(*this) + (origin == NoiseOrigin::assumed
-                                   ? "; chi^2 is no test then, only trends and the comparison "
-                                     "of effects count"
+                                   ? "; chi^2 is no test then, "
+                                     "only trends and the comparison of effects count"
                                    : "");
 }
 

@@ -18,8 +18,8 @@ void require_diameters(const Study& study) {
     throw InvalidInput(study.file.string() + ", [study] measurements",
                        "no measured diameters to fit to or compare with",
                        "a file with the column critical_diameter_um",
-                       "name the measurement file, or for 'powderlink kat run' give a number to "
-                       "fix the adhesive energy");
+                       "name the measurement file, "
+                       "or for 'powderlink kat run' give a number to fix the adhesive energy");
   }
 }
 

@@ -2,15 +2,16 @@
 /// \file residual_checks.h
 /// Do the residuals of a model pass for noise? The tests of trends.h against every column of a study.
 ///
-///   scatter   rows of known noise, degrees of freedom n - sum h_ii over them
-///   curve     over velocity and the grains' diameter
-///   rank, runs  over every column: velocity, diameter, contact time, Gamma, and those that powderlink does not
-///             know, which are told and do not count: they may have been computed from d_c itself
+///   scatter      rows of known noise, degrees of freedom n - sum h_ii over them
+///   curve        over velocity and the grains' diameter
+///   rank, runs   over every column: velocity, diameter, contact time, Gamma, and the table's others
 ///
-/// A column is tested on the rows that have it, where it has at least two values. Rows of counts of which
-/// nearly all grains must go one way under the model have a known sign: they are left out of all but
-/// scatter. Corrected for the number of tests, those that count and those that are told each by themselves.
-/// Symbols: residuals in sigmas; h diagonal of the hat matrix. Errors: none.
+/// A column that powderlink does not know is reported and counts for nothing: it may have been computed
+/// from d_c itself. A column is tested on the rows that have it, if these are at least four and do not
+/// all have the same value. Where the model lets fewer than two grains of a count stay, or leave, the
+/// sign of the residual is known beforehand: such a row is left out of all tests but scatter.
+/// p-values are corrected for the number of tests, those that count and those that do not separately.
+/// Symbols: n rows, residuals in sigmas, h_ii diagonal of the hat matrix. Errors: none.
 /// Source: trends.h. Tests: tests/analysis/residual_checks_test.cpp
 #pragma once
 

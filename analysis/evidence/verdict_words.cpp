@@ -77,8 +77,8 @@ std::vector<std::string> verdict_words(const Study& study, const Observations& o
     tell_bounds(none, words);
     if (!none.plausible) {
       words.push_back("but: " + none.why +
-                      ". The shape fits, the strength does not: an effect that keeps the shape, or "
-                      "a wrong scale, may be hidden");
+                      ". The shape fits, the strength does not: "
+                      "an effect that keeps the shape, or a wrong scale, may be hidden");
     }
     return words;
   }
@@ -105,8 +105,8 @@ std::vector<std::string> verdict_words(const Study& study, const Observations& o
       for (const std::string& name : d.indistinguishable) describe(name);
       if (d.best != d.indistinguishable.front()) {
         words.push_back(
-            fmt::format("{} fits best, with values that are not possible; {} is the "
-                        "leading plausible explanation",
+            fmt::format("{} fits best, with values that are not possible; "
+                        "{} is the leading plausible explanation",
                         d.indistinguishable.front(), d.best));
       }
       if (d.get(d.best).added.size() > 1)

@@ -47,8 +47,8 @@ std::string why_not(const std::string& name, const FlowReport& report) {
   }
   if (full_slices(particles) >= 2) return "";
   return fmt::format(
-      "fewer than two slices of {:g} m hold {} particles or more; give another "
-      "--slice-thickness, or an earlier --from",
+      "fewer than two slices of {:g} m hold {} particles or more; "
+      "give another --slice-thickness, or an earlier --from",
       particles.window().slice_m, kEnough);
 }
 

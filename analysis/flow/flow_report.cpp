@@ -77,8 +77,9 @@ void read_particles(const fs::path& folder, const std::vector<fs::path>& dumps,
                     const FlowProgress& progress) {
   if (!clock.known() && foam_file_exists(folder / "constant" / "couplingProperties")) {
     report.notes.emplace_back(
-        "powderFoam has not written fields yet: times are those of LIGGGHTS, which is ahead of the "
-        "gas if it ran before the first exchange; wait for the first time folder in that case");
+        "powderFoam has not written fields yet: times are those of LIGGGHTS, "
+        "which is ahead of the gas if it ran before the first exchange; "
+        "wait for the first time folder in that case");
   }
   std::size_t done = 0;
   for (const auto& observable : observables) observable->begin(folder);
@@ -110,10 +111,10 @@ void judge_particles(FlowReport& report) {
     const double change =
         std::abs(static_cast<double>(last.particles) - static_cast<double>(half.particles));
     if (change > kStillFilling * static_cast<double>(last.particles)) {
-      report.notes.push_back(fmt::format(
-          "the number of particles still changes, {} at {:g} s and {} at {:g} s: the flow is not "
-          "established; run longer, or give a later --from",
-          half.particles, half.time_s, last.particles, last.time_s));
+      report.notes.push_back(
+          fmt::format("the number of particles still changes, {} at {:g} s and {} at {:g} s: "
+                      "the flow is not established; run longer, or give a later --from",
+                      half.particles, half.time_s, last.particles, last.time_s));
     }
   }
   const bool part = std::isfinite(window.from_m) || std::isfinite(window.to_m);
@@ -130,8 +131,8 @@ void judge_particles(FlowReport& report) {
   if (!p.velocity_mean_m_s()) {
     report.notes.push_back(p.states().back().particles == 0 && p.profile().empty()
                                ? "no particle velocity: no particle in any dump from --from on"
-                               : fmt::format("no particle velocity: no particle at {}; give "
-                                             "--from-z or --to-z",
+                               : fmt::format("no particle velocity: no particle at {}; "
+                                             "give --from-z or --to-z",
                                              text_of(window)));
   }
   report.slice_m = p.flow_slice_m(report.options.flow_slice_m);
@@ -149,18 +150,18 @@ void judge_particles(FlowReport& report) {
   report.irregularity = irregularity(report.average_kg_s);
   if (!report.irregularity) {
     report.notes.push_back(
-        fmt::format("no RMS of the solids flow: {} dumps in {:g} s leave fewer than two averages "
-                    "over {:g} s, or "
-                    "nothing flows; dump more often, run longer, or give a shorter --average",
+        fmt::format("no RMS of the solids flow: "
+                    "{} dumps in {:g} s leave fewer than two averages over {:g} s, "
+                    "or nothing flows; dump more often, run longer, or give a shorter --average",
                     report.times_s.size(), report.times_s.back() - report.times_s.front(),
                     report.options.measures.average_s));
   } else if (const double apart = (report.times_s.back() - report.times_s.front()) /
                                   static_cast<double>(report.times_s.size() - 1);
              report.options.measures.average_s < apart) {
-    report.notes.push_back(fmt::format(
-        "the dumps are {:g} s apart, further than the {:g} s of the moving average, which then "
-        "hardly averages: dump more often for a comparison with other runs",
-        apart, report.options.measures.average_s));
+    report.notes.push_back(
+        fmt::format("the dumps are {:g} s apart, further than the {:g} s of the moving average, "
+                    "which then hardly averages: dump more often for a comparison with other runs",
+                    apart, report.options.measures.average_s));
   }
 }
 
@@ -171,8 +172,8 @@ void read_gas(const fs::path& folder, FlowReport& report) {
   const std::vector<std::string> sets = pressure_probe_sets(folder);
   if (sets.empty() && report.options.probes.empty()) {
     report.notes.push_back(
-        "no pressure: postProcessing/ holds no probes of p; add a function object `probes` with "
-        "fields (p) to system/controlDict");
+        "no pressure: postProcessing/ holds no probes of p; "
+        "add a function object `probes` with fields (p) to system/controlDict");
     return;
   }
   const auto density = gas_density_kg_m3(folder, report.options.density_kg_m3);
@@ -195,26 +196,27 @@ void read_gas(const fs::path& folder, FlowReport& report) {
     }
   }
   if (wanted.empty() && sets.size() > 1) {
-    report.notes.push_back(fmt::format(
-        "{} sets of probes recorded p; used is '{}', which has the most in the window; --probes "
-        "chooses another",
-        sets.size(), report.pressure->name));
+    report.notes.push_back(
+        fmt::format("{} sets of probes recorded p; "
+                    "used is '{}', which has the most in the window; --probes chooses another",
+                    sets.size(), report.pressure->name));
   }
   report.slope = fit_slope(*report.pressure, window.from_m, window.to_m, window.axis);
   if (!report.slope && !report.options.from_m && !report.options.to_m) {
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
     report.slope = fit_slope(*report.pressure, -kInfinity, kInfinity, window.axis);
     if (report.slope) {
-      report.notes.push_back(fmt::format(
-          "fewer than two probes at {}, the last third of the channel: the pressure slope is that "
-          "of all probes",
-          text_of(window)));
+      report.notes.push_back(
+          fmt::format("fewer than two probes at {}, the last third of the channel: "
+                      "the pressure slope is that of all probes",
+                      text_of(window)));
     }
   }
   if (!report.slope) {
     report.notes.push_back(
-        fmt::format("no pressure slope: the probes '{}' have no two places at {} with values after "
-                    "{:g} s; give --from-z, --to-z or --from",
+        fmt::format("no pressure slope: "
+                    "the probes '{}' have no two places at {} with values after {:g} s; "
+                    "give --from-z, --to-z or --from",
                     report.pressure->name, text_of(window), window.from_s));
   }
 }
@@ -424,8 +426,8 @@ FlowReport analyse_flow(const fs::path& folder, const FlowOptions& options,
   }
   if (!report.cost.coupling_share_percent) {
     report.notes.push_back(
-        "no coupling share: no log of powderFoam with a line `coupling share: X %`, which comes at "
-        "the end of a run");
+        "no coupling share: "
+        "no log of powderFoam with a line `coupling share: X %`, which comes at the end of a run");
   }
   return report;
 }

@@ -63,8 +63,8 @@ void run(const std::string& json) {
     fmt::print("{}\n", t.text());
   }
   fmt::print(
-      "In a study: [model] effects = [\"NAME\"] and, for other values, [effect.NAME] PARAMETER = "
-      "VALUE.\n"
+      "In a study: [model] effects = [\"NAME\"] "
+      "and, for other values, [effect.NAME] PARAMETER = VALUE.\n"
       "In a LIGGGHTS script: fix ID all adhesion/effect NAME [values in this order].\n");
 }
 

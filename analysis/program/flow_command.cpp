@@ -129,15 +129,15 @@ void add_flow_command(CLI::App& app) {
   c->add_option("--from", flow.from_s, "the flow is established from this time of the gas on [s]")
       ->capture_default_str();
   c->add_option("--axis", flow.axis,
-                "x, y, z, or -x, -y, -z for the way against it (default: where probes, mesh and "
-                "particles point)");
+                "x, y, z, or -x, -y, -z for the way against it "
+                "(default: where probes, mesh and particles point)");
   c->add_option("--from-z,--from-place", flow.from_m,
-                "... and from this place on that axis on [m] (default: the last third of the "
-                "channel)");
+                "... and from this place on that axis on [m] "
+                "(default: the last third of the channel)");
   c->add_option("--to-z,--to-place", flow.to_m, "... up to this one [m]");
   c->add_option("--slice", o->slice,
-                "the solids flow is taken between these two places on the axis [m] (default: 10 mm "
-                "in the middle of the established part)")
+                "the solids flow is taken between these two places on the axis [m] "
+                "(default: 10 mm in the middle of the established part)")
       ->expected(2);
   c->add_option("--slice-thickness", flow.slice_m,
                 "slices of all profiles [m] (default: 1 mm, or a twentieth of a shorter channel)");

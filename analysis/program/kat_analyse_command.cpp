@@ -164,8 +164,8 @@ void add_options(CLI::App& c, Options& o) {
       ->check(CLI::IsMember({"area", "perimeter"}))
       ->capture_default_str();
   CLI::Option* ratio = c.add_option("--area-ratio", o.area_ratio,
-                                    "area seen after over area seen before (default: from the "
-                                    "grains that are too small to leave)");
+                                    "area seen after over area seen before "
+                                    "(default: from the grains that are too small to leave)");
   CLI::Option* before =
       c.add_option("--fields-before", o.fields_before, "images taken before, all of one size")
           ->excludes(ratio);

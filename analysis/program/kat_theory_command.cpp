@@ -65,8 +65,8 @@ void run(const CLI::App& command, const Options& o) {
   if (report.thesis != nullptr) {
     const double recomputed = report.answers.front().value;
     fmt::print(
-        "\nthe thesis prints {:.2f} J/m^2 for this drop, recomputed from its inputs {:.2f} J/m^2 "
-        "({:+.1f} %):\n{}\n",
+        "\nthe thesis prints {:.2f} J/m^2 for this drop, "
+        "recomputed from its inputs {:.2f} J/m^2 ({:+.1f} %):\n{}\n",
         report.thesis->printed_energy_J_m2, recomputed,
         100.0 * (recomputed / report.thesis->printed_energy_J_m2 - 1.0), report.thesis->difference);
   }

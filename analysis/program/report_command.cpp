@@ -108,8 +108,8 @@ void add_report_command(CLI::App& app) {
                 "JSON of 'compare --backend dem' for one of the studies; may be given for each")
       ->take_all();
   c->add_flag("--diagnose-first", o->first_only,
-              "diagnose the first study only, compare the others: a diagnosis on top of "
-              "an added effect takes some seconds more");
+              "diagnose the first study only, compare the others: "
+              "a diagnosis on top of an added effect takes some seconds more");
   c->callback([o] { run(*o); });
 }
 

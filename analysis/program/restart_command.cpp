@@ -54,10 +54,11 @@ void run(const Options& o) {
         o.dem_prefix, pair.fields.time_s);
   } else {
     fmt::print(
-        "to continue: --prepare moves later time folders to discarded/, sets startFrom latestTime "
-        "and links\n{0}latest; or do so by hand: startFrom startTime; startTime {1}; and a "
-        "LIGGGHTS script with\n`read_restart {0}{2}` in place of create_box and what fills the "
-        "box.\n",
+        "to continue: --prepare moves later time folders to discarded/, "
+        "sets startFrom latestTime and links\n"
+        "{0}latest; or do so by hand: startFrom startTime; startTime {1}; "
+        "and a LIGGGHTS script with\n"
+        "`read_restart {0}{2}` in place of create_box and what fills the box.\n",
         o.dem_prefix, pair.fields.name, pair.dem.step);
   }
   if (!o.json.empty()) write_file(o.json, json_of(pair, o.prepare));
@@ -73,10 +74,9 @@ void add_restart_command(CLI::App& app) {
   c->add_option("case", o->folder, "folder of the coupled run")->required();
   c->add_option("--json", o->json, "write the pair to this file too");
   c->add_option("--dt", o->time_step_s, "DEM time step [s] (default: from log.liggghts or in.*)");
-  c->add_option(
-       "--checkpoint", o->dem_prefix,
-       "beginning of LIGGGHTS's restart files within the case: the word after `checkpoint` "
-       "of fix couple/bridge")
+  c->add_option("--checkpoint", o->dem_prefix,
+                "beginning of LIGGGHTS's restart files within the case: "
+                "the word after `checkpoint` of fix couple/bridge")
       ->capture_default_str();
   c->add_flag("--prepare", o->prepare,
               "make the case start from it; later time folders are moved to discarded/");

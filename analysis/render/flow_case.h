@@ -21,7 +21,8 @@ struct DumpAtTime {
   std::filesystem::path file;
 };
 
-/// All dumps with their times on the clock of the gas. \param time_step_s  of the DEM; empty: the case's own
+/// All dumps with their times on the clock of the gas.
+/// \param time_step_s  of the DEM; empty: the case's own
 std::vector<DumpAtTime> dumps_with_times(const std::filesystem::path& case_folder,
                                          std::optional<double> time_step_s);
 

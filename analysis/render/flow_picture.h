@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file flow_picture.h
 /// The figure of a coupled run: gas speed in the plane through the middle, the particles before it
-/// with their true radii coloured by speed, in one or more strips along the channel's axis
-/// (analysis/flow/run/flow_channel.h), which lies to the right with the axis `up` upwards. No display
-/// needed.
+/// with their true radii coloured by speed, in one or more strips. The channel's axis
+/// (analysis/flow/run/flow_channel.h) lies to the right, the axis `up` upwards. No display needed.
 /// Tests: tests/render/flow_test.cpp
 #pragma once
 

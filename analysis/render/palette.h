@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file palette.h
 /// Colours that people with any colour vision, and a grey printer, can tell apart: blue for grains
-/// that stay, yellow over orange to dark red for those that leave or flow, blues for the gas. scripts/plots/style.gp and
-/// scripts/paraview/kat_view.py use the same ones.
+/// that stay, yellow over orange to dark red for those that leave or flow, blues for the gas.
+/// scripts/plots/style.gp and scripts/paraview/kat_view.py use the same ones.
 #pragma once
 
 #include <algorithm>

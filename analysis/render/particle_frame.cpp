@@ -69,8 +69,8 @@ vtkDataArray* required(vtkPointData* data, const char* name, int components,
     throw InvalidInput("reading " + path.string() + ": array '" + name + "' is missing",
                        "arrays " + names_in(data),
                        "radius, v (from vx vy vz) and columns 1 to 3 of fix kat/drop",
-                       "dump custom/vtk with: id type radius x y z vx vy vz fx fy fz f_kat[1] "
-                       "f_kat[2] f_kat[3]");
+                       "dump custom/vtk with: "
+                       "id type radius x y z vx vy vz fx fy fz f_kat[1] f_kat[2] f_kat[3]");
   }
   return array;
 }

@@ -60,11 +60,10 @@ RunResults read_results(const fs::path& run) {
                                    speed.is_null() ? 0.0 : speed.get<double>()});
     }
   } catch (const nlohmann::json::exception& error) {
-    throw InvalidInput(
-        "reading " + file.string(), error.what(),
-        "JSON with critical_diameter_m, impact_velocity_m_s, time_step_s and particles "
-        "(each with diameter_m, attached, speed_m_s)",
-        "run the drop test again");
+    throw InvalidInput("reading " + file.string(), error.what(),
+                       "JSON with critical_diameter_m, impact_velocity_m_s, time_step_s "
+                       "and particles (each with diameter_m, attached, speed_m_s)",
+                       "run the drop test again");
   }
   return results;
 }
@@ -83,11 +82,10 @@ RunDirectory open_run(const fs::path& run, std::optional<double> time_step_s) {
   found.particles = list_dumps(run / "post", std::regex("particles_([0-9]{1,18})\\.vtp"));
   found.plate = list_dumps(run / "post", std::regex("plate_([0-9]{1,18})\\.(vtp|vtk|stl)"));
   if (found.particles.empty()) {
-    throw InvalidInput(
-        "opening the run", run.string() + " without post/particles_<step>.vtp",
-        "at least one file of `dump custom/vtk`",
-        "add to the input script: dump vtk all custom/vtk 1000 post/particles_*.vtp id "
-        "type radius x y z vx vy vz fx fy fz f_kat[1] f_kat[2] f_kat[3]");
+    throw InvalidInput("opening the run", run.string() + " without post/particles_<step>.vtp",
+                       "at least one file of `dump custom/vtk`",
+                       "add to the input script: dump vtk all custom/vtk 1000 post/particles_*.vtp "
+                       "id type radius x y z vx vy vz fx fy fz f_kat[1] f_kat[2] f_kat[3]");
   }
   found.results = read_results(run);
   found.time_step_s = time_step_s ? time_step_s : found.results.time_step_s;

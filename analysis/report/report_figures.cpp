@@ -255,9 +255,9 @@ Figure draw_ranking(const StudyResult& r, const Sheet& sheet) {
                    evidence.high, loo.high,
                    gnuplot_string(axis_error(d.baseline().left_out).unit))},
       fmt::format("Ranking of the explanations of {}: how much BIC falls when an effect is added, "
-                  "and the error on rows that were left out of the fit. Full: possible values; "
-                  "pale: values that are not possible; grey: the study's own model and effects "
-                  "that these rows cannot show.",
+                  "and the error on rows that were left out of the fit. "
+                  "Full: possible values; pale: values that are not possible; "
+                  "grey: the study's own model and effects that these rows cannot show.",
                   r.study.name));
 }
 
@@ -394,8 +394,7 @@ Figure draw_staircase(const std::vector<std::unique_ptr<StudyResult>>& results,
        "names=" + gnuplot_string(fmt::format("{}", fmt::join(names, " "))),
        fmt::format("n_dem={}; noise={:.9g}; most={:.9g}", n_dem, noise, percent.high)},
       (one_table ? "Error before and after each added effect" : "Error of each study") +
-          std::string(": root of the mean square of (model - measured)/measured over "
-                      "all rows."));
+          std::string(": root of the mean square of (model - measured)/measured over all rows."));
 }
 
 }  // namespace powderlink::analysis

@@ -70,8 +70,8 @@ void add_held(const Candidate& c, std::vector<std::string>& words) {
   for (const ParameterEstimate& p : c.parameters) {
     if (p.role != ParameterEstimate::Role::held) continue;
     words.push_back(
-        fmt::format("The value of {} in {}: it was left at its typical value, {}; with another "
-                    "one (and another Gamma) the rows are described as well.",
+        fmt::format("The value of {} in {}: it was left at its typical value, {}; "
+                    "with another one (and another Gamma) the rows are described as well.",
                     p.name, p.effect, value_text(p.value, unit_of(p.name))));
   }
 }
@@ -195,8 +195,8 @@ std::vector<std::string> open_questions(const StudyResult& r) {
     const std::string& name = r.comparison.fit.problem.parameters[i].name;
     if (p.open_low || p.open_high) {
       words.push_back(
-          fmt::format("The {} end of {}: every value up to the bound of the fit is "
-                      "within one sigma.",
+          fmt::format("The {} end of {}: "
+                      "every value up to the bound of the fit is within one sigma.",
                       p.open_low && p.open_high ? "lower and upper"
                       : p.open_low              ? "lower"
                                                 : "upper",

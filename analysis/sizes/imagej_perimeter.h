@@ -6,8 +6,8 @@
 ///
 /// ImageJ follows the sides of pixels and cuts corners: 5.5 % too long for a very large disk, right at
 /// about 8 pixels, too short below. 4 A/P of its tables is thus +0.4 % at 8 pixels, -0.7 at 10, -2.5 at
-/// 20, -4.7 at 100. Here p is right within 0.3 % from 15 pixels on and 1.2 % too large at 8 to 10 (means over
-/// 400 disks at random places).
+/// 20, -4.7 at 100. Here p is right within 0.3 % from 15 pixels on and 1.2 % too large at 8 to 10 (means
+/// over 400 disks at random places).
 /// Source: measured with ImageJ 1.53t; its method is PolygonRoi.getTracedPerimeter.
 /// Tests: tests/psd/imagej_tables_test.cpp
 #pragma once

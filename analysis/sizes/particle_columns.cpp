@@ -111,8 +111,8 @@ ParticleColumns find_particle_columns(const CsvTable& table) {
   if (!area || (!columns.perimeter && !columns.circularity)) {
     throw InvalidInput(header, "the columns " + boost::algorithm::join(table.columns, ", "),
                        "'Area' and 'Perim.' or 'Circ.' (also read: AR or Round, Feret)",
-                       "in ImageJ tick Area, Perimeter and Shape descriptors in Analyze > Set "
-                       "Measurements, measure again and save with column headers" +
+                       "in ImageJ tick Area, Perimeter and Shape descriptors "
+                       "in Analyze > Set Measurements, measure again and save with column headers" +
                            if_encoding_is_wrong(table));
   }
   columns.area = *area;

@@ -24,13 +24,12 @@ constexpr std::size_t kLargestFooter = 4;  // rows below those of the grains
 
 constexpr CsvFormat kFormat{
     "table of grains", "check the path", "save the results in ImageJ with column headers",
-    "in ImageJ tick \"Save column headers\" in Edit > Options > Input/Output, and save the results "
-    "again"};
+    "in ImageJ tick \"Save column headers\" in Edit > Options > Input/Output, "
+    "and save the results again"};
 
 std::string how_to_scale() {
-  return "give --pixel-size-um X, the side of a pixel; 1 when the image had its scale in um and "
-         "the "
-         "table is thus in um, 1000 when in mm";
+  return "give --pixel-size-um X, the side of a pixel; "
+         "1 when the image had its scale in um and the table is thus in um, 1000 when in mm";
 }
 
 /// The scale of one row; `known` is what was given or stated before.
@@ -49,8 +48,9 @@ double positive(const CsvTable& table, const CsvTable::Row& row, std::size_t col
   if (value > 0.0) return value;
   const bool lost = value == 0.0 && row.cells[column].find_first_of(".,") != std::string::npos;
   throw InvalidInput(table.place(row, column), row.cells[column], "a number above 0",
-                     lost ? "in ImageJ raise \"Decimal places\" or tick \"Scientific notation\" in "
-                            "Analyze > Set Measurements, or give the unit um in Analyze > Set Scale"
+                     lost ? "in ImageJ raise \"Decimal places\" or tick \"Scientific notation\" "
+                            "in Analyze > Set Measurements, "
+                            "or give the unit um in Analyze > Set Scale"
                           : "remove the row");
 }
 
@@ -140,11 +140,10 @@ void check_scale(const std::string& file, const std::optional<double>& scale,
       mm * middle);
   if (!scale) {
     throw InvalidInput(file + ", pixel size",
-                       middle < 1.0
-                           ? fmt::format("no scale, and grains of {:.3g} in the middle: less "
-                                         "than a pixel",
-                                         middle)
-                           : "a table in pixels without a scale",
+                       middle < 1.0 ? fmt::format("no scale, and grains of {:.3g} in the middle: "
+                                                  "less than a pixel",
+                                                  middle)
+                                    : "a table in pixels without a scale",
                        "a side of the pixel in um, as option, comment or column",
                        middle < 1.0 ? would + "; 1 when in um" : how_to_scale());
   }
@@ -200,15 +199,15 @@ void correct_perimeters(const RawTable& raw, std::vector<Particle>& particles, P
     for (Particle& p : particles)
       p.perimeter_um = *raw.pixel * edge_of_imagej_px(p.perimeter_um / *raw.pixel);
     note = fmt::format(
-        "Perim. is ImageJ's, {:g} p - {:g} pixels for an edge of p pixels; p is used, so that "
-        "circularities are not those of Circ.",
+        "Perim. is ImageJ's, {:g} p - {:g} pixels for an edge of p pixels; "
+        "p is used, so that circularities are not those of Circ.",
         kImagejSlope, kImagejOffset_px);
   } else if (!raw.pixel && median_circularity(particles) < exact) {
     note =
-        "Perim. is ImageJ's, up to 5.5 % too long, and 4A/P up to 5 % too small: the size of a "
-        "pixel, which is not known, would tell by how much. Measure in pixels (Analyze > Set Scale "
-        "> "
-        "Click to Remove Scale) and give --pixel-size-um, or take --diameter area";
+        "Perim. is ImageJ's, up to 5.5 % too long, and 4A/P up to 5 % too small: "
+        "the size of a pixel, which is not known, would tell by how much. "
+        "Measure in pixels (Analyze > Set Scale > Click to Remove Scale) and give --pixel-size-um, "
+        "or take --diameter area";
   }
   std::vector<std::string>& notes = set.perimeter_notes;
   if (!note.empty() && std::find(notes.begin(), notes.end(), note) == notes.end())
@@ -225,10 +224,10 @@ void judge_table(const RawTable& raw, const std::optional<double>& scale, Partic
     set.notes.push_back(raw.table.file + ": no Perim.; perimeters are taken from Circ.");
   const bool known = raw.columns.unit_um || scale == 1.0 || all_whole(raw.particles);
   if (!known && raw.pixel) {
-    set.notes.push_back(fmt::format(
-        "{}: areas are not whole numbers of pixels; if the table is in um already, give "
-        "--pixel-size-um 1 (now {:g})",
-        raw.table.file, *scale));
+    set.notes.push_back(
+        fmt::format("{}: areas are not whole numbers of pixels; "
+                    "if the table is in um already, give --pixel-size-um 1 (now {:g})",
+                    raw.table.file, *scale));
   }
 }
 

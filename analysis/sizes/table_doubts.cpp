@@ -28,9 +28,8 @@ constexpr double kCircDiffers = 0.03;  // of Circ. from 4 pi A/P^2: ImageJ round
 
 const char* const kNoThousands = "areas with decimal points and without separators of thousands";
 const char* const kPlainNumbers =
-    "the mark parts thousands: show the column as plain numbers in the spreadsheet, or take the "
-    "table "
-    "as ImageJ saved it";
+    "the mark parts thousands: "
+    "show the column as plain numbers in the spreadsheet, or take the table as ImageJ saved it";
 
 template <class Value>
 double median(std::vector<Value> values) {
@@ -63,11 +62,11 @@ std::string row_text(const RawTable& raw, std::size_t i) {
 const char* reason_of_roundness(const RawTable& raw, double middle) {
   constexpr double disk = 4.0 * kPi;  // P^2/A
   if (raw.columns.perimeter)
-    return "are Area and Perim. in the same unit, and without separators of thousands? measure "
-           "again, or correct the row";
+    return "are Area and Perim. in the same unit, and without separators of thousands? "
+           "measure again, or correct the row";
   if (middle > 0.9 * disk && middle < 3.0 * disk)
-    return "P^2/A is 12.6 for a disk and another measure: give Perim., or 4 pi Area/Perim.^2 as "
-           "Circ.";
+    return "P^2/A is 12.6 for a disk and another measure: "
+           "give Perim., or 4 pi Area/Perim.^2 as Circ.";
   if (middle > 20.0) return "in per cent? divide Circ. by 100, or give Perim.";
   return "the inverse of ImageJ's Circ.? give Perim., or 4 pi Area/Perim.^2 as Circ.";
 }
@@ -148,13 +147,11 @@ void check_thousands_by_form(const RawTable& raw) {
     }
   }
   if (whole < least || grouped < least || largest_grouped >= smallest_whole) return;
-  throw InvalidInput(
-      raw.table.place(raw.table.rows[first], raw.columns.area),
-      fmt::format(
-          "{}, one of {} areas with three digits behind the mark and all of them smaller than "
-          "the {} whole numbers, from {:g} on",
-          area_cell(raw, first), grouped, whole, smallest_whole),
-      kNoThousands, kPlainNumbers);
+  throw InvalidInput(raw.table.place(raw.table.rows[first], raw.columns.area),
+                     fmt::format("{}, one of {} areas with three digits behind the mark "
+                                 "and all of them smaller than the {} whole numbers, from {:g} on",
+                                 area_cell(raw, first), grouped, whole, smallest_whole),
+                     kNoThousands, kPlainNumbers);
 }
 
 void check_thinnest(const RawTable& raw) {
@@ -167,8 +164,8 @@ void check_thinnest(const RawTable& raw) {
       fmt::format("{}, and so little in {} of {} rows", row_text(raw, beyond.front()),
                   beyond.size(), raw.particles.size()),
       fmt::format("{:g} to 1 in most rows", kThinnest),
-      "are Area and Perim. in the same unit, with decimal points and without separators of "
-      "thousands? correct and save again");
+      "are Area and Perim. in the same unit, "
+      "with decimal points and without separators of thousands? correct and save again");
 }
 
 /// Digits behind the decimal mark, less the power of ten.
@@ -205,8 +202,8 @@ std::vector<std::string> check_shapes(const RawTable& raw) {
     }
     if (2 * differ > raw.particles.size()) {
       notes.push_back(raw.table.file +
-                      ": Circ. is not 4 pi Area/Perim.^2 in most rows; are Area and Perim. in "
-                      "the same unit? Circ. is not used");
+                      ": Circ. is not 4 pi Area/Perim.^2 in most rows; "
+                      "are Area and Perim. in the same unit? Circ. is not used");
     }
   }
   return notes;
@@ -242,8 +239,9 @@ double check_digits(const RawTable& raw, std::vector<std::string>& notes) {
       fmt::format("areas in steps of {:g}, as in {}: diameters are known to +-{:.2g} %", steps[at],
                   area_cell(raw, at), 100.0 * parts[at]);
   const char* cure =
-      "in ImageJ raise \"Decimal places\" or tick \"Scientific notation\" in Analyze > Set "
-      "Measurements, or give the unit um in Analyze > Set Scale, and measure again";
+      "in ImageJ raise \"Decimal places\" or tick \"Scientific notation\" "
+      "in Analyze > Set Measurements, or give the unit um in Analyze > Set Scale, "
+      "and measure again";
   if (parts[at] > kLargestStep) {
     throw InvalidInput(raw.table.place(raw.table.rows[at], raw.columns.area), known,
                        fmt::format("digits that tell diameters to +-{:g} %", 100.0 * kLargestStep),
@@ -263,13 +261,13 @@ double median_circularity(const std::vector<Particle>& particles) {
 std::string noise_doubt(const std::vector<Particle>& particles, std::optional<double> pixel_size_um,
                         const std::string& where) {
   const char* cure =
-      "look at the outlines; another threshold (Otsu in Image > Adjust > Threshold), a smoothed "
-      "picture, or a least size in Analyze Particles";
+      "look at the outlines; another threshold (Otsu in Image > Adjust > Threshold), "
+      "a smoothed picture, or a least size in Analyze Particles";
   const double round = median_circularity(particles);
   if (round < kRagged) {
     return fmt::format(
-        "{}: half of the {} grains have a circularity below {:.2f}: specks and outlines of noise "
-        "rather than grains? {}",
+        "{}: half of the {} grains have a circularity below {:.2f}: "
+        "specks and outlines of noise rather than grains? {}",
         where, particles.size(), round, cure);
   }
   std::vector<double> d;

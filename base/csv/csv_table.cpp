@@ -161,12 +161,12 @@ class TableReader {
     const char* to_do = "fill the missing cells or remove the row";
     if (wrong_cells_ > width)
       to_do =
-          "decimal commas? write decimal points, or separate the cells by semicolons; quote a "
-          "cell that holds a separator";
+          "decimal commas? write decimal points, or separate the cells by semicolons; "
+          "quote a cell that holds a separator";
     if (width == 1)
       to_do =
-          "is a title above the names of the columns? begin its line with '#'; else separate the "
-          "names as the cells";
+          "is a title above the names of the columns? "
+          "begin its line with '#'; else separate the names as the cells";
     std::string given = fmt::format("{} cells ({})", wrong_cells_, wrong_text_);
     if (wrong_lines_.size() > 1) {
       given += "; the same in " + lines_text({wrong_lines_.begin() + 1, wrong_lines_.end()});
@@ -193,10 +193,9 @@ class TableReader {
       if (std::find(names.begin(), name, *name) == name) continue;
       throw InvalidInput(fmt::format("{}, line {}, header", table_.file, header_line_),
                          "column '" + *name + "' twice", "every column once",
-                         name->empty()
-                             ? "is a title above the names of the columns? begin its line "
-                               "with '#'; else name every column"
-                             : "rename or remove one of them");
+                         name->empty() ? "is a title above the names of the columns? "
+                                         "begin its line with '#'; else name every column"
+                                       : "rename or remove one of them");
     }
   }
 

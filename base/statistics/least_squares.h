@@ -26,7 +26,8 @@ struct FitParameter {
   double to_coordinate(double value) const;
   double to_value(double coordinate) const;
   double width() const { return to_coordinate(upper) - to_coordinate(lower); }
-  /// For a derivative there: 1 % of what cannot be 0, else of the width; signed, away from the nearer bound.
+  /// For a derivative there: 1 % of what cannot be 0, else of the width; signed, away from the nearer
+  /// bound.
   double step(double coordinate) const;
 };
 

@@ -60,8 +60,8 @@ Foam::string Foam::smoothVoidFraction::remedy
     return
         "raise length (now " + Foam::name(length_) + ") to at least "
       + Foam::name(max(3*largestDiameter, 1.5*length_))
-      + ", check that the particles do not overlap by much, or lower"
-        " minFluidFraction";
+      + ", check that the particles do not overlap by much,"
+        " or lower minFluidFraction";
 }
 
 
@@ -88,8 +88,8 @@ Foam::smoothVoidFraction::smoothVoidFraction
             Foam::name(length_),
             "at most " + Foam::name(length_*sqrt(most/diffusion_.leaving()))
           + " m on this mesh, because of its smallest cells",
-            "shorten length, three particle diameters are usual, or use larger"
-            " cells"
+            "shorten length,"
+            " three particle diameters are usual, or use larger cells"
         );
     }
 

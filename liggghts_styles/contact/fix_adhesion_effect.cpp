@@ -25,8 +25,8 @@ FixAdhesionEffect::FixAdhesionEffect(LAMMPS* lmp, int narg, char** arg) : Fix(lm
     if (effect_->of_measurement()) {
       throw InvalidInput("effect", std::string("'") + arg[3] + "'",
                          "an effect of the contact, of the gap or of the stop",
-                         "remove this fix: the effect belongs to the measurement and changes no "
-                         "grain; studies apply it to the outcome");
+                         "remove this fix: the effect belongs to the measurement "
+                         "and changes no grain; studies apply it to the outcome");
     }
   } catch (const InvalidInput& problem) {
     stop_all(lmp, FLERR, this, problem.what());

@@ -5,6 +5,7 @@
 /// Model `jkr` takes its interface part (roughness, rate dependence), `fix kat/drop` the forces
 /// across the gap and the stop of the plate. Parameters in the order that `powderlink effects`
 /// prints, all or none (then the typical values). The fix itself computes nothing.
+/// Tests: tests/host/kat_drop_test.cpp, tests/host/bad_input_test.cpp
 #pragma once
 
 #include <memory>

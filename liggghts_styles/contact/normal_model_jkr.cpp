@@ -48,8 +48,9 @@ void JkrNormalModel::registerSettings(Settings& settings) {
 void JkrNormalModel::postSettings() {
   if (limit_force_) {
     stop_all(lmp, FLERR, nullptr,
-             "model jkr: limitForce; given: limitForce on; allowed: off, because it would cut the "
-             "attraction that the model is made for; to do: remove 'limitForce on'");
+             "model jkr: limitForce; given: limitForce on; "
+             "allowed: off, because it would cut the attraction that the model is made for; "
+             "to do: remove 'limitForce on'");
   }
 }
 
@@ -61,25 +62,23 @@ double JkrNormalModel::property(PropertyRegistry& registry, const char* name, in
     const std::string size = std::to_string(n);
     stop_all(lmp, FLERR, nullptr,
              std::string("model jkr: ") + name +
-                 "; given: no fix property/global of that name; allowed: "
-                 "a matrix for " +
-                 size + " types; to do: fix ID all property/global " + name + " peratomtypepair " +
-                 size + " ...");
+                 "; given: no fix property/global of that name; allowed: a matrix for " + size +
+                 " types; to do: fix ID all property/global " + name + " peratomtypepair " + size +
+                 " ...");
   }
   return fix->compute_array(i - 1, j - 1);
 }
 
 void JkrNormalModel::check_host() const {
   if (force->cg_active()) {
-    stop_all(
-        lmp, FLERR, nullptr,
-        "model jkr: coarse graining; given: 'coarsegraining' in the script; allowed: none, the "
-        "adhesion of a parcel is not that of its grains; to do: remove 'coarsegraining'");
+    stop_all(lmp, FLERR, nullptr,
+             "model jkr: coarse graining; given: 'coarsegraining' in the script; allowed: none, "
+             "the adhesion of a parcel is not that of its grains; to do: remove 'coarsegraining'");
   }
   if (!atom->sphere_flag || atom->shapetype_flag) {
     stop_all(lmp, FLERR, nullptr,
-             "model jkr: particle shape; given: non-spherical particles; allowed: spheres; to do: "
-             "use atom_style granular or sphere");
+             "model jkr: particle shape; given: non-spherical particles; "
+             "allowed: spheres; to do: use atom_style granular or sphere");
   }
 }
 
@@ -109,15 +108,16 @@ void JkrNormalModel::connectToProperties(PropertyRegistry& registry) {
           "model jkr: workOfAdhesion of types " + std::to_string(i) + " and " + std::to_string(j);
       if (!(energy >= 0.0)) {
         const std::string message = where + "; given: " + number_text(energy) +
-                                    " J/m^2; allowed: >= 0; to do: correct the matrix of fix "
-                                    "property/global";
+                                    " J/m^2; allowed: >= 0; "
+                                    "to do: correct the matrix of fix property/global";
         stop_all(lmp, FLERR, nullptr, message);
       }
       if (energy > kLargestPlausibleEnergy && i <= j && !is_wall_ && comm->me == 0) {
         const std::string message =
             where + " is " + number_text(energy) +
-            " J/m^2, above 10 J/m^2. It is the work of adhesion of the interface (pull-off 1.5 pi "
-            "Gamma R*), not a surface energy in other units; dry solids have 0.01 to 1 J/m^2";
+            " J/m^2, above 10 J/m^2. "
+            "It is the work of adhesion of the interface (pull-off 1.5 pi Gamma R*), "
+            "not a surface energy in other units; dry solids have 0.01 to 1 J/m^2";
         error->warning(FLERR, message.c_str());
       }
       JkrPair& pair = pairs_[i * stride_ + j];
@@ -150,14 +150,14 @@ void JkrNormalModel::warn_of_overlaps() {
     const std::string who = std::string("compute ") + compute->id;
     if (std::strcmp(compute->style, "contact/atom") == 0) {
       warn(who,
-           "contact/atom does not count grains that a neck holds across a gap; compute "
-           "contact/atom/gran does");
+           "contact/atom does not count grains that a neck holds across a gap; "
+           "compute contact/atom/gran does");
     }
     auto* local = dynamic_cast<ComputePairGranLocal*>(compute);
     if (local != nullptr && local->offset_area() >= 0) {
       warn(who,
-           "contactArea is that of spheres that intersect, negative in a neck; the contact's area "
-           "is pi h^4, h from keyword history (jkr_root_contact_radius)");
+           "contactArea is that of spheres that intersect, negative in a neck; "
+           "the contact's area is pi h^4, h from keyword history (jkr_root_contact_radius)");
     }
   }
   for (int i = 0; i < modify->nfix; ++i) {
@@ -198,10 +198,9 @@ void JkrNormalModel::check_wall(double largest_gap) const {
     if (neighbor->skin < kStretchMargin * largest_gap) {
       const std::string message =
           "model jkr on a primitive wall: neighbor skin; given: " + number_text(neighbor->skin) +
-          " m; allowed: above the tear-off gap of the "
-          "longest neck, " +
-          number_text(largest_gap) + " m, or contacts would be lost; to do: neighbor " +
-          number_text(2.0 * largest_gap) + " bin";
+          " m; allowed: above the tear-off gap of the longest neck, " + number_text(largest_gap) +
+          " m, or contacts would be lost; to do: neighbor " + number_text(2.0 * largest_gap) +
+          " bin";
       stop_all(lmp, FLERR, wall, message);
     }
     return;
@@ -217,8 +216,7 @@ void JkrNormalModel::check_wall(double largest_gap) const {
                                   " m (LIGGGHTS's default is 1e-8); allowed: at most " +
                                   number_text(kMeshPrecisionOfRadius * smallest_radius) +
                                   " m, or grains of this size get wrong forces at triangle edges; "
-                                  "to do: add 'precision 1e-12' "
-                                  "to fix mesh/surface";
+                                  "to do: add 'precision 1e-12' to fix mesh/surface";
       stop_all(lmp, FLERR, wall, message);
     }
   }

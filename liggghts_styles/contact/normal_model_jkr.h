@@ -3,11 +3,13 @@
 /// Normal model `jkr` of `pair_style gran` and `fix wall/gran`: physics of physics/contact/jkr_law.h and
 /// physics/contact/normal_damping.h, made rough or rate-dependent by `fix adhesion/effect`.
 ///
-/// Script:  pair_style gran model jkr [tangential ...] [rolling_friction ...] [tangential_damping
-/// on|off] Needs:   youngsModulus, poissonsRatio, coefficientRestitution as model hertz does, and
+/// Script:  pair_style gran model jkr [tangential ...] [rolling_friction ...]
+///                                    [tangential_damping on|off]
+/// Needs:   youngsModulus, poissonsRatio, coefficientRestitution as model hertz does, and
 ///          fix ID all property/global workOfAdhesion peratomtypepair N G11 G12 ...   [J/m^2]
 ///          (work of adhesion of the interface, not the surface energy of one solid).
 /// History: one value per contact, sqrt(contact radius); 0 is "not in contact".
+/// Tests: tests/host/contact_test.cpp, tests/host/bad_input_test.cpp
 #pragma once
 
 #include <memory>

@@ -45,8 +45,8 @@ void SliderSettings::check(LAMMPS* lmp) const {
   stop_all(lmp, FLERR, nullptr,
            std::string(kModel) + "energies; given: " +
                (elastic_ ? "computeElasticPotential" : "computeDissipatedEnergy") +
-               " on; allowed: off, as the slider's energy vanishes where its spring is emptied; to "
-               "do: leave the keyword out, or use tangential history");
+               " on; allowed: off, as the slider's energy vanishes where its spring is emptied; "
+               "to do: leave the keyword out, or use tangential history");
 }
 
 }  // namespace powderlink::host

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file coupled_world.h
-/// How the start of the process tells the fix that couples which other program shares the mpirun, and
-/// the fix the end of the process that both have parted in order; and the way to the other program's log
-/// for errors.
+/// What start, fix and end of the process tell each other: the start tells the fix that couples which
+/// other program shares the mpirun; the fix tells the end that both have parted in order; and errors
+/// find their way to the other program's log.
+/// Tests: tests/host/couple_world_test.cpp, tests/host/script_loops_test.cpp
 #pragma once
 
 #include "coupling/bridge/transport/mpi_world.h"

@@ -79,8 +79,8 @@ void FixCoupleBridge::init() {
     open_link();
   } else if (std::fabs(update->dt - dt_s_) > 1e-12 * dt_s_) {
     stop("time step; given: " + number_text(update->dt) + " s after " + number_text(dt_s_) +
-         " s; allowed: the one that the solver was told at the start; to do: keep timestep, or "
-         "start both programs anew with another couplingInterval");
+         " s; allowed: the one that the solver was told at the start; "
+         "to do: keep timestep, or start both programs anew with another couplingInterval");
   }
 }
 

@@ -14,16 +14,18 @@
 /// does, and -= m_a times the change of velocity by all other forces: added mass is fluid, its
 /// momentum stays there. Exact up to round-off; it is sent and set to zero at each exchange. All other
 /// forces count m/(m + m_a). Of particles that have vanished it goes as a row of its own, without a radius
-/// (liggghts_styles/couple_bridge/leaving_particles.h); of what contacts did to them in their last step, m_a is not counted.
+/// (leaving_particles.h); of what contacts did to them in their last step, m_a is not counted.
+///
 /// New particles between exchanges take over the values of the nearest particle of their rank that
-/// has its own and is in the fluid: fluid velocity, spin and fraction as they are, drag coefficient times the ratio of
-/// diameters, rotational drag its cube, pressure force and added mass the ratio of volumes, no other
-/// force (liggghts_styles/couple_bridge/fluid_loan.h). Where the rank has none, the mean of all particles at the last exchange
-/// is taken; when there were none at all, nothing acts until the next exchange.
+/// has its own and is in the fluid, scaled by their sizes (fluid_loan.h). Where the rank has none,
+/// the mean of all particles at the last exchange is taken; when there were none at all, nothing acts
+/// until the next exchange.
 ///
 /// f_ID[1..3]  fluid force on all particles at the last exchange [N]
-/// f_ID[4]     coupled particles, [5] seconds spent in exchanges, waiting for the solver included
+/// f_ID[4]     coupled particles
+/// f_ID[5]     wall time spent in exchanges, waiting for the solver included [s]
 /// f_ID[6..8]  reaction impulse that was not sent [N s]: zero up to round-off
+/// Tests: tests/host/couple_bridge_test.cpp, tests/host/couple_bridge_ends_test.cpp
 #pragma once
 
 #include <cstdio>

@@ -43,8 +43,8 @@ void FixCoupleBridge::check_host() const {
   }
   if (!atom->radius_flag || !atom->rmass_flag || !atom->omega_flag || atom->superquadric_flag) {
     stop(
-        "atom_style; given: particles that are not spheres with a radius; allowed: atom_style "
-        "granular or sphere; to do: change atom_style");
+        "atom_style; given: particles that are not spheres with a radius; "
+        "allowed: atom_style granular or sphere; to do: change atom_style");
   }
   for (const char* other : {"multisphere", "rigid"}) {
     if (modify->n_fixes_style(other) == 0) continue;
@@ -53,8 +53,8 @@ void FixCoupleBridge::check_host() const {
   }
   if (modify->n_fixes_style(kStyle) > 1) {
     stop(
-        "fix couple/bridge; given: two of them; allowed: one; to do: use one with a group that "
-        "holds all coupled particles");
+        "fix couple/bridge; given: two of them; "
+        "allowed: one; to do: use one with a group that holds all coupled particles");
   }
   if (std::strcmp(update->integrate_style, "verlet") != 0) {
     stop(std::string("run_style; given: ") + update->integrate_style +
@@ -65,16 +65,17 @@ void FixCoupleBridge::check_host() const {
 void FixCoupleBridge::open_link() {
   if (!options_.socket && has_parted()) {
     stop(
-        "coupled run; given: a second one in this mpirun, as the first ended with its fix "
-        "couple/bridge (unfix, clear) or by the solver; allowed: one coupled run in an mpirun, of "
-        "any number of run commands; to do: keep the fix between runs; for a loop of coupled runs "
-        "start each pass by an mpirun of its own, or couple by transport socket with a solver for "
-        "each pass");
+        "coupled run; given: a second one in this mpirun, "
+        "as the first ended with its fix couple/bridge (unfix, clear) or by the solver; "
+        "allowed: one coupled run in an mpirun, of any number of run commands; "
+        "to do: keep the fix between runs; "
+        "for a loop of coupled runs start each pass by an mpirun of its own, "
+        "or couple by transport socket with a solver for each pass");
   }
   if (options_.socket && bridge::holds_other_program(coupled_world())) {
     stop("transport; given: socket, in one mpirun with " + coupled_world().peer_role +
-         "; allowed: mpi in one mpirun, socket for two jobs; to do: set transport mpi in both "
-         "programs, or start each by itself");
+         "; allowed: mpi in one mpirun, socket for two jobs; "
+         "to do: set transport mpi in both programs, or start each by itself");
   }
   bridge::LinkOptions link;
   link.route =
@@ -137,12 +138,11 @@ void FixCoupleBridge::check_domains() const {
   // A mesh in mm around a box in m holds it, in one corner.
   constexpr double suspicious = 100.0;
   if (options_.any_size || (most > 1.0 / suspicious && least < suspicious)) return;
-  stop(
-      "sizes; given: a box of LIGGGHTS that is " + number_text(least) + " to " + number_text(most) +
-      " times as long as the mesh of the solver, along each axis; allowed: both in m, or sizes "
-      "any; "
-      "to do: check the units of region and mesh (transformPoints scales a mesh), or add sizes any "
-      "to the line of the fix");
+  stop("sizes; given: a box of LIGGGHTS that is " + number_text(least) + " to " +
+       number_text(most) +
+       " times as long as the mesh of the solver, along each axis; "
+       "allowed: both in m, or sizes any; to do: check the units of region and mesh "
+       "(transformPoints scales a mesh), or add sizes any to the line of the fix");
 }
 
 /// Rows that this rank sends for particles that have vanished.
@@ -243,8 +243,8 @@ void FixCoupleBridge::check_values() const {
   if (wrong[0] < 0) return;
   stop("values of the solver: " + bridge::describe(plan[static_cast<std::size_t>(wrong[0])]) +
        "; given: a negative one or not a number for particle " + std::to_string(wrong[1]) +
-       "; allowed: finite numbers, coefficients of 0 or more; to do: see whether the flow has "
-       "diverged; lower its time step");
+       "; allowed: finite numbers, coefficients of 0 or more; "
+       "to do: see whether the flow has diverged; lower its time step");
 }
 
 /// The solver sends zeros to particles outside its mesh, and the fluid fraction 1.
@@ -306,9 +306,10 @@ void FixCoupleBridge::speak_of_forgotten(double particles) {
   speaks_of_forgotten_ = false;
   say("Warning: particles that do not move; given: " + number_text(particles) + " of " +
       number_text(coupled_) +
-      " coupled particles in no group of a fix that integrates; allowed: yes, they keep their "
-      "velocity and the gas feels their drag; to do: for particles that fly, add fix nve/sphere to "
-      "their group; to hold them, nothing, or fix freeze");
+      " coupled particles in no group of a fix that integrates; "
+      "allowed: yes, they keep their velocity and the gas feels their drag; "
+      "to do: for particles that fly, add fix nve/sphere to their group; "
+      "to hold them, nothing, or fix freeze");
 }
 
 /// What was given to all particles, less what was sent.

@@ -27,6 +27,7 @@ struct FluidRelaxation {
   double d[3] = {0.0, 0.0, 0.0};
 };
 
+/// \param u, force  three components each; k, mass, dt as above, mass > 0
 inline FluidRelaxation fluid_relaxation(double k, const double* u, const double* force, double mass,
                                         double dt) {
   FluidRelaxation step;

@@ -143,8 +143,8 @@ void refuse_average(LAMMPS* lmp, const Fix* fix, int groupbit) {
   if (shared == 0) return;
   throw InvalidInput("fix that gives particles their mean force",
                      std::string("fix ") + fix->id + " aveforce on coupled particles",
-                     "fixes that act on each particle by itself: the gas's force is not part of "
-                     "that mean",
+                     "fixes that act on each particle by itself: "
+                     "the gas's force is not part of that mean",
                      "remove it, or leave its particles out of the group of fix couple/bridge");
 }
 

@@ -31,8 +31,9 @@ namespace fs = std::filesystem;
 
 std::string problem(const std::string& file, const std::string& given) {
   return "checkpoint " + file + "; given: " + given +
-         "; allowed: a folder that can be written to, on a disk with room; to do: make room or "
-         "choose another place with the keyword checkpoint; earlier checkpoints are whole";
+         "; allowed: a folder that can be written to, on a disk with room; "
+         "to do: make room or choose another place with the keyword checkpoint; "
+         "earlier checkpoints are whole";
 }
 
 /// Rank 0: empty, or why the folder does not take the file.

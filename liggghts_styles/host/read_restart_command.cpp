@@ -78,9 +78,10 @@ void read_restart_command(LAMMPS* lmp, int narg, char** arg) {
     stop_all(
         lmp, FLERR, nullptr,
         std::string("read_restart ") + arg[0] + "; given: " + wrong +
-            "; allowed: a restart file of LIGGGHTS that is there as a whole; to do: take an "
-            "earlier one; of a coupled case `powderlink restart CASE --prepare` finds the last "
-            "complete pair and links it as post/restart.latest");
+            "; allowed: a restart file of LIGGGHTS that is there as a whole; "
+            "to do: take an earlier one; "
+            "of a coupled case `powderlink restart CASE --prepare` finds the last complete pair "
+            "and links it as post/restart.latest");
   }
   char* found = file.data();
   ReadRestart(lmp).command(1, &found);

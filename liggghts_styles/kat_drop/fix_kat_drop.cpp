@@ -88,8 +88,9 @@ void FixKatDrop::init() {
   contacts_ = std::make_unique<PlateContacts>(lmp, this, options_.wall_id);
   if (modify->n_fixes_style("gravity") > 0) {
     stop(
-        "gravity; given: a fix gravity beside fix kat/drop; allowed: one of them, because the test "
-        "must know what pulls; to do: remove fix gravity and use the keyword gravity");
+        "gravity; given: a fix gravity beside fix kat/drop; "
+        "allowed: one of them, because the test must know what pulls; "
+        "to do: remove fix gravity and use the keyword gravity");
   }
   const std::vector<const physics::Effect*> effects = FixAdhesionEffect::active(lmp);
   gap_forces_ = physics::GapForces(effects);
@@ -97,8 +98,8 @@ void FixKatDrop::init() {
     if (!effect->stop()) continue;
     if (options_.stop_given) {
       stop(
-          "stop; given: the keyword and an effect that stops the plate; allowed: one of them; to "
-          "do: remove the keyword 'stop' or the fix adhesion/effect");
+          "stop; given: the keyword and an effect that stops the plate; "
+          "allowed: one of them; to do: remove the keyword 'stop' or the fix adhesion/effect");
     }
     options_.stop = *effect->stop();
   }
@@ -200,9 +201,8 @@ void FixKatDrop::end_of_step() {
       begin_impact();
     } else if (static_cast<double>(steps) * update->dt > settle_limit_s_) {
       stop("settling; given: " + number_text(settle_limit_s_) +
-           " s; allowed: the grains must come to rest on the plate within it; to do: raise the "
-           "keyword "
-           "settle, or check that adhesion can carry the grains' weight");
+           " s; allowed: the grains must come to rest on the plate within it; "
+           "to do: raise the keyword settle, or check that adhesion can carry the grains' weight");
     }
     return;
   }
@@ -231,14 +231,14 @@ void FixKatDrop::check_fallen() const {
   MPI_Max_Scalar(largest_held, world);
   if (counts[0] == 0.0) {
     stop(
-        "start; given: no grain on the plate; allowed: grains within a tenth of their radius of "
-        "it; to do: use populate, or place the grains beside the plate on the side to which it "
-        "falls");
+        "start; given: no grain on the plate; "
+        "allowed: grains within a tenth of their radius of it; "
+        "to do: use populate, or place the grains beside the plate on the side to which it falls");
   }
   if (counts[1] > 0.0) {
     stop("settling; given: " + number_text(counts[1]) + " of " + number_text(counts[0]) +
-         " grains fell off under their weight; allowed: grains that adhesion carries; to do: use "
-         "smaller grains" +
+         " grains fell off under their weight; "
+         "allowed: grains that adhesion carries; to do: use smaller grains" +
          (largest_held > 0.0 ? " (" + number_text(largest_held * 1e6) + " um holds)"
                              : std::string()) +
          ", a larger workOfAdhesion or gravity 0");

@@ -13,23 +13,22 @@
 ///
 /// f_ID (scalar)  critical diameter [m], geometric mean of the bracket; 0 while there is none
 /// f_ID[1..16]    phase, critical diameter, largest attached, smallest detached diameter [m],
-/// number
-///                attached, detached, out of order, time since impact [s], speed of the plate along
-///                the fall [m/s], its deceleration [m/s^2], largest energy and momentum residual of
-///                a grain
-///                [-], sums of kinetic, potential, dissipated energy and of the work of inertia and
+///                number attached, detached, out of order, time since impact [s],
+///                speed of the plate along the fall [m/s], its deceleration [m/s^2],
+///                largest energy and momentum residual of a grain [-],
+///                sums of kinetic, potential, dissipated energy and of the work of inertia and
 ///                gravity [J]
 /// f_ID[1..9]     per atom: attached (0, 1, or 2: not in contact but bound across the gap or on its
-///                way back), speed away from the plate
-/// [m/s],
-///                contact radius [m], kinetic, potential, dissipated energy, work of inertia,
-///                gravity and gap forces [J], energy residual over the impact energy, momentum
-///                residual over the impact momentum
+///                way back), speed away from the plate [m/s], contact radius [m],
+///                kinetic, potential, dissipated energy, work of inertia, gravity and gap forces [J],
+///                energy residual over the impact energy, momentum residual over the impact
+///                momentum [-]
 /// Energies are counted from the impact on; rotation is left out. The residuals compare the change
 /// of kinetic energy and momentum with the work and impulse of all forces in the integrator's own
 /// quadrature and must stay at round-off; a force that another fix adds after this one shows up
 /// there. "Dissipated" is what the contact took and its closed-form energy does not hold: damping,
 /// and the neck's energy at tear-off.
+/// Tests: tests/host/kat_drop_test.cpp, tests/host/critical_speed_test.cpp
 #pragma once
 
 #include <memory>

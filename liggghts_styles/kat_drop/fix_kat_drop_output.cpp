@@ -130,9 +130,8 @@ void FixKatDrop::check_complete(const Summary& s) const {
   if (lost > 0.5) {
     stop("box; given: " + std::to_string(std::lround(lost)) + " of " +
          std::to_string(std::lround(taking_part_)) +
-         " grains left it and were deleted; allowed: all grains inside until the end; to do: "
-         "'boundary m "
-         "m m', or a box that is deeper along the fall");
+         " grains left it and were deleted; allowed: all grains inside until the end; "
+         "to do: 'boundary m m m', or a box that is deeper along the fall");
   }
   if (s.critical_diameter > 0.0 || comm->me != 0) return;
   const std::string message =

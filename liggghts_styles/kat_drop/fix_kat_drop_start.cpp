@@ -34,8 +34,8 @@ void FixKatDrop::post_create() {
   if (options_.moving_frame && restarted_) {
     stop(
         "frame moving; given: a restart, where LIGGGHTS puts the mesh back to its first place; "
-        "allowed: frame plate in runs that are restarted; to do: use frame plate, which gives the "
-        "same result");
+        "allowed: frame plate in runs that are restarted; "
+        "to do: use frame plate, which gives the same result");
   }
   if (options_.moving_frame) prepare_moving_plate();
   if (options_.populate_type > 0 && !restarted_) populate();
@@ -45,8 +45,8 @@ void FixKatDrop::post_create() {
 void FixKatDrop::prepare_moving_plate() {
   if (!contacts_->wall().is_mesh_wall()) {
     stop(
-        "frame moving; given: a primitive wall; allowed: a mesh wall; to do: use fix mesh/surface "
-        "and fix wall/gran ... mesh, or frame plate");
+        "frame moving; given: a primitive wall; allowed: a mesh wall; "
+        "to do: use fix mesh/surface and fix wall/gran ... mesh, or frame plate");
   }
   const std::string name(id);
   const std::string sign = options_.direction > 0 ? "" : "-";

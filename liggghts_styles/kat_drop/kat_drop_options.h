@@ -3,16 +3,18 @@
 /// The arguments of `fix kat/drop`, parsed and checked.
 ///
 ///   fix ID group kat/drop wall WALL-ID plate xplane|yplane|zplane COORDINATE velocity V
-///       [fall -x|+x|-y|+y|-z|+z]        default -z: grains hang below the plate and leave
-///       downwards [stop instant | halfsine TAU | hertz TAU | file FILE]   default instant [rebound
-///       E_P]                   of the plate, default 0 [frame plate|moving]            default
-///       plate; moving needs a mesh wall [gravity G]                     along the fall,
-///       default 9.81 m/s^2 [settle TIME] [watch TIME]      limits; defaults are 200 and 6 contact
-///       periods [populate type T density RHO sizes range DMIN DMAX N
+///       [fall -x|+x|-y|+y|-z|+z]     default -z: grains hang below the plate and leave downwards
+///       [stop instant | halfsine TAU | hertz TAU | file FILE]    default instant
+///       [rebound E_P]                of the plate, default 0
+///       [frame plate|moving]         default plate; moving needs a mesh wall
+///       [gravity G]                  along the fall, default 9.81 m/s^2
+///       [settle TIME] [watch TIME]   limits; defaults are 200 and 6 contact periods
+///       [populate type T density RHO sizes range DMIN DMAX N
 ///                                        | list N D1 ... DN
 ///                                        | rosinrammler X0 EXPONENT DMIN DMAX N SEED]
-///       [results FILE]                  JSON, written when the test is over
+///       [results FILE]               JSON, written when the test is over
 /// SI units. FILE of the stop: two columns, time [s] and deceleration [m/s^2], '#' comments.
+/// Tests: tests/kat_drop/kat_drop_options_test.cpp
 #pragma once
 
 #include <string>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file kat_population.h
 /// Sizes of the grains of a Kinetic Adhesion Test, and their places on the plate.
+/// Tests: tests/kat_drop/kat_population_test.cpp
 #pragma once
 
 #include <cstdint>
@@ -8,11 +9,11 @@
 
 namespace powderlink::host {
 
-/// n diameters from d_min to d_max, equal ratios (one diameter if n is 1).
+/// n diameters from d_min to d_max [m], equal ratios (one diameter if n is 1).
 std::vector<double> graded_diameters(double d_min, double d_max, int n);
 
-/// n diameters by NUMBER from the Rosin-Rammler law Y(d) = 1 - exp(-(d/x0)^exponent), truncated to
-/// [d_min, d_max]. The same seed gives the same sizes on every machine.
+/// n diameters [m] by NUMBER from the Rosin-Rammler law Y(d) = 1 - exp(-(d/x0)^exponent), truncated
+/// to [d_min, d_max]. The same seed gives the same sizes on every machine.
 std::vector<double> rosin_rammler_diameters(double x0, double exponent, double d_min, double d_max,
                                             int n, std::uint64_t seed);
 

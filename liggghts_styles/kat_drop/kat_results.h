@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file kat_results.h
 /// The JSON file that `fix kat/drop ... results FILE` writes when the test is over.
+/// Tests: tests/kat_drop/kat_results_test.cpp
 #pragma once
 
 #include <string>

@@ -15,8 +15,8 @@ PlateContacts::PlateContacts(LAMMPS* lmp, Fix* asker, const std::string& wall_id
   if (wall_ == nullptr || !wall_->contact_match("normal", "jkr")) {
     const std::string message =
         "plate; given: fix '" + wall_id +
-        "'; allowed: a fix wall/gran of model jkr (primitive or mesh) that the "
-        "script defines before this line; to do: fix " +
+        "'; allowed: a fix wall/gran of model jkr "
+        "(primitive or mesh) that the script defines before this line; to do: fix " +
         wall_id + " all wall/gran model jkr primitive type 2 zplane 0.0";
     stop_all(lmp, FLERR, asker, message);
   }

@@ -75,8 +75,8 @@ void refuse(LAMMPS* lmp, int64_t hash) {
       ", surface " + name_of(kSurface, hash, 24) + "; allowed: " +
       (jkr ? "tangential off | no_history | history, no cohesion model (jkr is one)"
            : "model hertz, no cohesion model") +
-      ", rolling_friction off | cdt | epsd2, surface default; to do: change the pair_style gran or "
-      "fix wall/gran line";
+      ", rolling_friction off | cdt | epsd2, surface default; "
+      "to do: change the pair_style gran or fix wall/gran line";
   host::stop_all(lmp, FLERR, nullptr, message);
 }
 LIGGGHTS::PairStyles::IGranularPairStyle* refuse_pair(LAMMPS* lmp, PairGran*, int64_t hash) {

@@ -46,8 +46,8 @@ void Input::quit() {
     for (int i = 0; i < narg; ++i) given += std::string(" ") + arg[i];
     powderlink::host::stop_all(lmp, FLERR, nullptr,
                                "command quit; given: " + given +
-                                   "; allowed: quit [STATUS], a whole number from 0 to 255; to do: "
-                                   "correct the line");
+                                   "; allowed: quit [STATUS], a whole number from 0 to 255; "
+                                   "to do: correct the line");
   }
   powderlink::plugin::end_by_quit(lmp, status);
 }

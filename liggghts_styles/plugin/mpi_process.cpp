@@ -102,9 +102,9 @@ int MPI_Finalize() {
     if (host::kept_error().empty()) {
       plugin::say_error(
           "LIGGGHTS and " + host::coupled_world().peer_role +
-          " in one mpirun; given: a script that ends without coupling; allowed: fix "
-          "couple/bridge and a run; to do: add what is missing, or start the programs "
-          "one by one");
+          " in one mpirun; "
+          "given: a script that ends without coupling; allowed: fix couple/bridge and a run; "
+          "to do: add what is missing, or start the programs one by one");
     }
     MPI_Barrier(MPI_COMM_WORLD);  // none may end the job before that is said
     MPI_Abort(MPI_COMM_WORLD, 1);

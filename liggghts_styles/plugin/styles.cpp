@@ -52,8 +52,8 @@ void register_styles(LAMMPS* lmp) {
 const char* help() {
   return "\npowderlink styles (docs/reference.md):\n"
          "  pair_style gran / fix wall/gran   model jkr [tangential off|no_history|history]\n"
-         "                                    [rolling_friction off|cdt|epsd2] [tangential_damping "
-         "on|off]\n"
+         "                                    [rolling_friction off|cdt|epsd2] "
+         "[tangential_damping on|off]\n"
          "  fix property/global               workOfAdhesion peratomtypepair N ...   [J/m^2]\n"
          "  fix kat/drop                      Kinetic Adhesion Test: settle, fall, stop, detach\n"
          "  fix adhesion/effect               one effect of 'powderlink effects'\n"

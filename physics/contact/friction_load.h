@@ -7,7 +7,9 @@
 /// At F = 0 the surfaces are still pressed together by adhesion, so mu |F| would let a glued grain
 /// slide freely. Adding twice the pull-off force keeps N = F_po > 0 even at the pull-off point
 /// F = -F_po, and the limit falls back to Coulomb's mu F for Gamma = 0.
-/// Symbols: F normal contact force, > 0 pushing apart [N]; mu friction coefficient [-].
+/// Symbols: N load that limits, F_t tangential force [N]; F normal contact force, > 0 pushing apart
+/// [N]; F_po pull-off force [N]; Gamma work of adhesion of the interface [J/m^2]; R* reduced radius
+/// [m]; mu friction coefficient [-].
 /// Validity: JKR contacts, neck included (there F >= -F_po).
 /// Source: C. Thornton, J. Phys. D 24 (1991) 1942.
 /// Tests: tests/models/contact_laws_test.cpp

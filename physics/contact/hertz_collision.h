@@ -11,11 +11,11 @@
 ///             I(p) = integral of exp(p x) sin(x)^(-1/5) dx, x = 0 .. pi
 ///   zeta = 0  t_c = 2.94327518432 delta_m/v, the factor: 4/5 sqrt(pi) Gamma(2/5)/Gamma(9/10)
 ///
-/// They follow from the linear oscillator of spring_slider_dashpot.h: s = delta^(5/4), and dt =
-/// s^(-1/5) d(tau) along s ~ exp(-zeta w tau) sin(q w tau).
-/// Symbols: v speed of approach [m/s], zeta damping ratio, 0 <= zeta < 1: -beta of
-/// normal_damping.h; R*, m* reduced radius and mass (plate: the sphere's own), E* effective
-/// modulus.
+/// They follow from the linear oscillator of spring_slider_dashpot.h: s = delta^(5/4), and
+/// dt = s^(-1/5) d(tau) along s ~ exp(-zeta w tau) sin(q w tau).
+/// Symbols: delta overlap, > 0 in contact [m], v speed of approach [m/s], zeta damping ratio [-],
+/// 0 <= zeta < 1: -beta of normal_damping.h; R*, m* reduced radius [m] and mass [kg] (plate: the
+/// sphere's own), E* effective modulus [Pa], k [N/m^(3/2)].
 /// Validity: delta_m << R*, v far below the solid's speed of sound, no plastic flow, no adhesion.
 /// Source: H. Hertz (1881), Johnson, Contact Mechanics, Section 11.4; D. Antypov and J. A. Elliott,
 /// EPL 94 (2011) 50004.

@@ -7,8 +7,8 @@
 ///
 /// G equals Gamma in equilibrium and exceeds it when the edge wants to recede; on the equilibrium
 /// curve F is that of jkr_law.h.
-/// Symbols: a contact radius [m], delta overlap [m], R* reduced radius [m], E* effective Young's
-/// modulus [Pa].
+/// Symbols: a contact radius [m], delta overlap, < 0 in the neck [m], R* reduced radius [m], E*
+/// effective Young's modulus [Pa], G and Gamma [J/m^2], F [N].
 /// Validity: a << R*; the interface's processes are confined to the edge.
 /// Source: D. Maugis, M. Barquins, J. Phys. D 11 (1978) 1989.
 /// Tests: tests/models/jkr_law_test.cpp

@@ -13,10 +13,9 @@
 /// With s = sqrt(a) and c = sqrt(2 pi Gamma/E*) the law is polynomial, delta = s^4/R* - c s, and
 /// needs neither the equilibrium radius a0 nor a cube root while a contact lives: s of the last
 /// step is the start of one Halley step and, where that is not enough, of a Newton iteration. The
-/// curve is convex on the stable branch, so Newton approaches the root from above and cannot miss
-/// it.
+/// curve is convex on the stable branch: Newton approaches the root from above and cannot miss it.
 ///
-/// Hysteresis: a contact starts at delta >= 0 and lives until delta < tear_off_overlap().
+/// Hysteresis: a contact starts at delta >= 0 and lives until delta < tear_off_overlap_m().
 /// Validity: Tabor parameter above about 5, a << R*. Gamma = 0 gives Hertz.
 /// Source: thesis of L. Pedrolli, Eqs. 3.24-3.25 (with the errata of docs/theory.md);
 /// Johnson, Kendall, Roberts, Proc. R. Soc. A 324 (1971) 301.

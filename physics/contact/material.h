@@ -5,8 +5,9 @@
 ///   1/E* = (1 - nu1^2)/E1 + (1 - nu2^2)/E2
 ///   1/G* = 2 (1 + nu1)(2 - nu1)/E1 + 2 (1 + nu2)(2 - nu2)/E2
 ///
-/// Symbols: E Young's modulus [Pa], nu Poisson's ratio [-], rho density [kg/m^3].
-/// Validity: linear isotropic solids. Source: Johnson, Contact Mechanics, Eqs. 4.20 and 7.43.
+/// Symbols: E Young's modulus [Pa], nu Poisson's ratio [-]; E*, G* effective moduli [Pa].
+/// Validity: linear isotropic solids.
+/// Source: Johnson, Contact Mechanics, Eqs. 4.20 and 7.43.
 /// Tests: tests/models/material_test.cpp
 #pragma once
 

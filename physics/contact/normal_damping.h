@@ -7,7 +7,9 @@
 ///   beta = ln e / sqrt(ln^2 e + pi^2)   (<= 0)
 ///
 /// Symbols: e coefficient of restitution [-], m* reduced mass [kg] (plate: the sphere's own mass),
-/// a contact radius [m], v_n normal velocity, > 0 when separating [m/s].
+/// a contact radius [m], E*, G* effective moduli [Pa], v_n normal velocity, > 0 when separating
+/// [m/s]; gamma_n, gamma_t normal and tangential damping [kg/s], S_n, k_t stiffnesses [N/m].
+/// Sign: F_d > 0 pushes apart; it only takes energy. gamma_t is made where k_t is known (model jkr).
 /// The neck is damped as the overlap is, through the contact radius that both have in common.
 /// Validity: e is the restitution of the non-adhesive Hertz contact.
 /// Source: Tsuji et al., Powder Technol. 71 (1992) 239; thesis of L. Pedrolli, Appendix B, with

@@ -4,7 +4,8 @@
 ///
 ///   dt_R = pi R sqrt(rho/G) / (0.8766 + 0.1631 nu),   G = E / (2 (1 + nu))
 ///
-/// Symbols: R radius [m], rho density [kg/m^3], nu Poisson's ratio [-].
+/// Symbols: R radius [m], rho density [kg/m^3], E, G Young's and shear modulus [Pa], nu Poisson's
+/// ratio [-].
 /// Validity: explicit integration wants 0.1-0.2 dt_R; above 0.5 dt_R powderlink refuses to run.
 /// Source: Thornton and Randall, in Micromechanics of Granular Materials (1988) 133.
 /// Tests: tests/models/contact_laws_test.cpp

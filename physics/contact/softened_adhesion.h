@@ -12,7 +12,8 @@
 /// lambda times smaller lifts a grain off. With Gamma unchanged the pull-off force stays, and the
 /// sticking speed grows by (E*/E*')^(1/3).
 ///
-/// Symbols: Gamma work of adhesion of the interface [J/m^2], E* effective modulus [Pa]; ' lowered.
+/// Symbols: Gamma work of adhesion of the interface [J/m^2], E* effective modulus [Pa], R* reduced
+/// radius [m], W [J]; ' with the lowered modulus.
 /// Validity: JKR before and after; overlaps small against R*.
 /// Source: Johnson, Kendall, Roberts, Proc. R. Soc. A 324 (1971) 301; sticking speed: C. Thornton
 /// and Z. Ning, Powder Technol. 99 (1998) 154; similarity: from the law (jkr_law.h).

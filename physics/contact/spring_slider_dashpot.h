@@ -11,8 +11,8 @@
 ///   e = exp(-pi zeta/sqrt(1 - zeta^2)),   alpha = -sqrt 5 ln e/sqrt(ln^2 e + pi^2)
 /// The normal force is hence LIGGGHTS's hertz with coefficientRestitution e (normal_damping.h).
 ///
-/// Tangentially both have Mindlin's spring k_t = 8 G* sqrt(R* delta), and the clouds damp it as
-/// they do the normal direction. Where it exceeds mu |F_n| both slide with mu |F_n|; but the clouds then
+/// Tangentially both have Mindlin's spring k_t = 8 G* sqrt(R* delta), and the clouds damp it as they
+/// do the normal direction. Where it exceeds mu |F_n| both slide with mu |F_n|; but the clouds then
 /// empty the spring, and stick, with a dashpot that nothing limits, until it is full again, while
 /// LIGGGHTS's history stays at the limit. At a steady slip v and load a cycle has n steps,
 ///   n = floor(mu |F_n|/(k_t v dt)) + 1,
@@ -20,14 +20,15 @@
 /// which is Coulomb's mu |F_n| for n = 1 and goes to mu |F_n|/2 + eta v as dt -> 0: the friction
 /// of the clouds depends on their step, and grows with the speed.
 ///
-/// Symbols: eta = alpha sqrt(m* k) delta^(1/4) [kg/s], delta overlap, > 0 in contact [m], R* reduced
-/// radius [m], m* reduced mass [kg] (plate: the sphere's own), E* effective modulus [Pa], zeta damping
-/// ratio [-].
-/// Validity: exponent b = 1.5, no cohesionEnergyDensity, 0 <= alpha < sqrt 5; beyond, grains do not
-/// part.
-/// Source: Y. Tsuji et al., Powder Technol. 71 (1992) 239; D. Antypov and J. A. Elliott, EPL 94
-/// (2011) 50004 (the oscillator); PairSpringSliderDashpot.C, WallSpringSliderDashpot.C of OpenFOAM
-/// v1912.
+/// Symbols: delta overlap, > 0 in contact [m], R* reduced radius [m], m* reduced mass [kg] (plate: the
+/// sphere's own), E*, G* effective moduli [Pa], k [N/m^(3/2)], k_t [N/m], alpha, zeta, e [-], eta =
+/// alpha sqrt(m* k) delta^(1/4) [kg/s], mu friction [-], v slip [m/s], dt the clouds' step [s].
+/// Sign: F_n > 0 pushes apart; F_t acts against the slip.
+/// Validity: exponent b = 1.5, no cohesionEnergyDensity; 0 <= alpha < sqrt 5, from where on grains do
+/// not part.
+/// Source: Y. Tsuji et al., Powder Technol. 71 (1992) 239; the oscillator: D. Antypov and J. A.
+/// Elliott, EPL 94 (2011) 50004; the clouds: PairSpringSliderDashpot.C and
+/// WallSpringSliderDashpot.C of OpenFOAM v1912.
 /// Tests: tests/models/collision_test.cpp, tests/host/slider_test.cpp (beside OpenFOAM itself)
 #pragma once
 

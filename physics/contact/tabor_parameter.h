@@ -4,7 +4,8 @@
 ///
 ///   mu_T = (R* Gamma^2 / (E*^2 z0^3))^(1/3)
 ///
-/// Symbols: z0 equilibrium separation of the surfaces, about 0.3 nm.
+/// Symbols: R* reduced radius [m], Gamma work of adhesion of the interface [J/m^2], E* effective
+/// modulus [Pa], z0 equilibrium separation of the surfaces [m], about 0.3 nm.
 /// Validity: mu_T > 5 JKR, mu_T < 0.1 DMT, Maugis-Dugdale between.
 /// Source: D. Tabor, J. Colloid Interface Sci. 58 (1977) 2.
 /// Tests: tests/models/contact_laws_test.cpp

@@ -2,13 +2,18 @@
 /// \file adhesive_contact.h
 /// One contact with memory: JKR, made rough or rate-dependent by the effects that are switched on.
 ///
+///   Gamma_eff = Gamma x the effects' adhesion and flattening factors
+///   G(a, delta) = Gamma_eff phi(v),   v = -da/dt > 0        (rate dependence, edge receding)
+///
 /// The only memory is s = sqrt(a): 0 is "not in contact", anything else a live contact, in overlap
 /// or in the neck. The same class advances a contact in LIGGGHTS and in the reduced model.
 ///
-/// Rate dependence: the edge recedes with v = -da/dt such that its energy release rate equals
-/// Gamma phi(v). Taken implicitly over the time step (backward Euler, first order, stable for any
-/// ratio of step to edge speed); an edge that would advance follows the equilibrium at once.
-/// Source: JkrLaw and the effects' own headers.
+/// v is taken implicitly over the time step (backward Euler, first order, stable for any ratio of
+/// step to edge speed); an edge that would advance follows the equilibrium at once.
+/// Symbols: a contact radius [m], delta overlap [m], < 0 in the neck; Gamma work of adhesion
+/// [J/m^2]; G energy release rate [J/m^2] (jkr_edge.h); phi fracture energy over Gamma_eff [-].
+/// Sign: forces > 0 push apart. Validity: that of JKR and of the effects that are switched on.
+/// Source: jkr_law.h, jkr_edge.h and the effects' own headers.
 /// Tests: tests/models/adhesive_contact_test.cpp
 #pragma once
 

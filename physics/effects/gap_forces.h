@@ -6,6 +6,7 @@
 ///
 /// Symbols: h gap [m] between sphere and plate, negative while they overlap; R radius [m]; u speed
 /// away from the plate [m/s]; U potential of the attractions [J]; m g weight, pulling away [N].
+/// Sign: forces and potentials of attractions are 0 or negative.
 /// A bridge is an attraction that a touch must form (Effect::formed_by_touch).
 /// Validity: each attraction only falls with the gap.
 /// Source: energy conservation; the laws are those of models/effects/.

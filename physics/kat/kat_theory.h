@@ -11,8 +11,11 @@
 ///   touch and go       1/2 m* v_s^2 = W(A->D)       (sticking speed of an undamped sphere)
 ///
 /// Symbols: Gamma work of adhesion of the interface [J/m^2], K = 4/3 E* [Pa], R_c critical radius
-/// [m], rho density of the sphere [kg/m^3], v impact speed [m/s]; C equilibrium, D tear-off,
-/// A first touch. The factor 1.0107 is not rounded here: the energies come from JkrLaw.
+/// [m], rho density of the sphere [kg/m^3], v impact speed [m/s], v_s sticking speed [m/s]; m mass
+/// [kg], m* reduced mass (plate: the sphere's own); a0 contact radius at rest [m]; t_r duration of a
+/// Hertzian rebound, t_d of the detachment [s]; a [m/s^2], W [J]. Points of the contact's curve:
+/// A first touch, C equilibrium, D tear-off.
+/// The factor 1.0107 is not rounded here: the energies come from JkrLaw.
 /// Validity: JKR; instant: stop much shorter than the contact's period; slow: much longer.
 /// Source: thesis of L. Pedrolli, Sections 2.1 and 4.2, with the errata of docs/theory.md.
 /// Tests: tests/models/kat_theory_test.cpp

@@ -9,10 +9,11 @@
 ///   hertz tau      A ~ sin^(3/2)(pi t/tau), the force of a Hertzian impact
 ///   measured       piecewise linear through (t, A), scaled so that the integral holds
 ///
-/// Symbols: v impact speed [m/s], tau duration [s], e_p rebound of the plate [-].
+/// Symbols: v impact speed [m/s], tau duration [s], e_p rebound of the plate [-], A [m/s^2], t since
+/// the first touch of the anvil [s].
+/// Sign: A > 0 slows the plate; in its frame it pushes the particles away from it, along the fall.
 /// Validity: the plate is stiff and much heavier than the powder on it.
-/// Source: thesis of L. Pedrolli, Section 4.3; Johnson, Contact Mechanics, Section 11.4
-/// (sin^(3/2)).
+/// Source: thesis of L. Pedrolli, Section 4.3; sin^(3/2): Johnson, Contact Mechanics, Section 11.4.
 /// Tests: tests/models/stop_pulse_test.cpp
 #pragma once
 

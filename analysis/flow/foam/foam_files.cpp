@@ -28,8 +28,8 @@ fs::path reader_program() {
   if (::access(program.c_str(), X_OK) != 0) {
     throw InvalidInput("reading OpenFOAM's files", program.string() + " is not there",
                        "the program powderlink-foam, which is built where OpenFOAM is installed",
-                       "run scripts/setup.sh and build again, or name it in the variable "
-                       "POWDERLINK_FOAM");
+                       "run scripts/setup.sh and build again, "
+                       "or name it in the variable POWDERLINK_FOAM");
   }
   return program;
 }
@@ -80,8 +80,7 @@ nlohmann::json ask(const fs::path& case_folder, const nlohmann::json& questions)
         "reading OpenFOAM's files of " + case_folder.string(),
         program.filename().string() + " ended with status " + std::to_string(outcome.exit_status),
         "dictionaries and a mesh that OpenFOAM reads",
-        "look for a file that includes itself; `foamDictionary FILE` shows what "
-        "OpenFOAM reads");
+        "look for a file that includes itself; `foamDictionary FILE` shows what OpenFOAM reads");
   }
   return answers;
 }

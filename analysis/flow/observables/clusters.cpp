@@ -46,8 +46,8 @@ class Clusters : public FlowObservable {
         std::max(1.0, std::ceil(measures.cluster_length_m / ds - kRounding)));
     const char letter = scene.window().axis.letter();
     std::string table = fmt::format(
-        "# slices of {:g} m with more than {:g} times the mean of {:.6g} grains, over {:g} m or "
-        "more\n"
+        "# slices of {:g} m with more than {:g} times the mean of {:.6g} grains, "
+        "over {:g} m or more\n"
         "time_s,{}_m,length_m,count,mass_kg,velocity_m_s\n",
         ds, measures.cluster_threshold, mean, static_cast<double>(shortest) * ds, letter);
     std::size_t clusters = 0;

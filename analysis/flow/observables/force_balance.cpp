@@ -199,8 +199,8 @@ class ForceBalance : public FlowObservable {
              double to_s) const {
     std::string csv = fmt::format(
         "# {0} = {1:g} to {2:g} m, {3:g} to {4:g} s, area {5:.9g} m^2\n"
-        "# gas: pressure drop = the other terms; powder: gas + friction + weight = the other "
-        "terms\n"
+        "# gas: pressure drop = the other terms; "
+        "powder: gas + friction + weight = the other terms\n"
         "balance,term,force_N,pressure_Pa,share_percent\n",
         axis_.letter(), part_m_.from, part_m_.to, from_s, to_s, area_m2);
     TextTable table(

@@ -45,8 +45,8 @@ class InletPressure : public FlowObservable {
     if (table.rows.empty() || !scene.gas_density_kg_m3) {
       found.notes.push_back(
           table.rows.empty()
-              ? "no pressure at the inlet: postProcessing/ has no inletPressure; add a function "
-                "object surfaceFieldValue of that name, as in foam_cases/pipe"
+              ? "no pressure at the inlet: postProcessing/ has no inletPressure; "
+                "add a function object surfaceFieldValue of that name, as in foam_cases/pipe"
               : "no pressure at the inlet in Pa: give --density kg/m^3");
       return found;
     }
@@ -73,13 +73,13 @@ class InletPressure : public FlowObservable {
     } else {
       found.numbers.push_back({"inlet_pressure_elbow_s", std::nullopt});
       found.notes.emplace_back(
-          "no elbow in the pressure at the inlet: straight pieces that meet fit it no better than "
-          "one line");
+          "no elbow in the pressure at the inlet: "
+          "straight pieces that meet fit it no better than one line");
     }
     std::string text =
         elbow ? fmt::format(
-                    "# straight pieces that meet, the elbow at {:.9g} s, 95 % {:.9g} to "
-                    "{:.9g} s, from {:.0f} independent rows\n",
+                    "# straight pieces that meet, the elbow at {:.9g} s, "
+                    "95 % {:.9g} to {:.9g} s, from {:.0f} independent rows\n",
                     elbow->time, elbow->interval.from, elbow->interval.to, elbow->independent_rows)
               : "";
     text += "time_s,pressure_Pa,fit_Pa\n";

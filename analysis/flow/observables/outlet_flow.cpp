@@ -82,9 +82,9 @@ class OutletFlow : public FlowObservable {
     found.numbers.push_back({"outlet_grains_1_s", rate_1_s});
     if (!rms) {
       found.notes.push_back(
-          fmt::format("no RMS of the flow through the outlet: {} counts in {:g} s leave fewer than "
-                      "two averages "
-                      "over {:g} s, or no grain left; run longer, or give a shorter --average",
+          fmt::format("no RMS of the flow through the outlet: "
+                      "{} counts in {:g} s leave fewer than two averages over {:g} s, "
+                      "or no grain left; run longer, or give a shorter --average",
                       left.times_s.size(), record_s, window_s));
     }
     const std::optional<double> floor =
@@ -97,9 +97,8 @@ class OutletFlow : public FlowObservable {
     found.numbers.push_back({"outlet_flow_rms_floor_percent", floor});
     if (rms && floor) {
       found.text = fmt::format(
-          "outlet: {:.5g} kg/s, RMS {:.3g} % over {:g} s in {:.0f} windows; independent grains "
-          "alone "
-          "give {:.3g} %\n",
+          "outlet: {:.5g} kg/s, RMS {:.3g} % over {:g} s in {:.0f} windows; "
+          "independent grains alone give {:.3g} %\n",
           mean_kg_s, rms->rms_percent, window_s, windows, *floor);
     }
     std::string table = fmt::format(
@@ -166,10 +165,10 @@ class OutletFlow : public FlowObservable {
     const auto counts = read_counts(scene.folder);
     for (const char* column : {"time_s", "escaped", "escaped_kg"}) {
       if (counts.count(column) != 0) continue;
-      found.notes.push_back(fmt::format(
-          "no flow through the outlet: post/particle_count.csv has no column {}; print what fix "
-          "massflow/mesh has counted, as in foam_cases/pipe",
-          column));
+      found.notes.push_back(
+          fmt::format("no flow through the outlet: post/particle_count.csv has no column {}; "
+                      "print what fix massflow/mesh has counted, as in foam_cases/pipe",
+                      column));
       return false;
     }
     for (std::size_t i = 0; i < counts.at("time_s").size(); ++i) {
@@ -183,9 +182,9 @@ class OutletFlow : public FlowObservable {
     }
     if (left.times_s.size() >= kFewRows) return true;
     found.notes.push_back(
-        fmt::format("no flow through the outlet: post/particle_count.csv has {} rows from --from "
-                    "on; run longer, "
-                    "or give an earlier --from",
+        fmt::format("no flow through the outlet: "
+                    "post/particle_count.csv has {} rows from --from on; "
+                    "run longer, or give an earlier --from",
                     left.times_s.size()));
     return false;
   }
@@ -194,8 +193,8 @@ class OutletFlow : public FlowObservable {
   void add_windows(const LeftMass& left, double rate_1_s, double record_s,
                    FlowFindings& found) const {
     std::string table =
-        "# RMS deviation of the flow through the outlet over the window; 95 % interval of "
-        "independent windows; floor of independent grains\n"
+        "# RMS deviation of the flow through the outlet over the window; "
+        "95 % interval of independent windows; floor of independent grains\n"
         "window_s,rms_percent,low_percent,high_percent,floor_percent\n";
     std::size_t rows = 0;
     const double step_s = record_s / static_cast<double>(left.times_s.size() - 1);

@@ -283,9 +283,10 @@ std::string Checkpoints::stale_processors() const {
   }
   if (stale == nullptr) return "";
   return fmt::format(
-      "the fields are those of the case's folder; the {} processor folder(s) beside it end at time "
-      "{}: a run with -parallel would start from there; decompose anew before one: decomposePar "
-      "-force -latestTime",
+      "the fields are those of the case's folder; "
+      "the {} processor folder(s) beside it end at time {}: "
+      "a run with -parallel would start from there; "
+      "decompose anew before one: decomposePar -force -latestTime",
       stale->folders.size(), stale->name);
 }
 
@@ -303,8 +304,8 @@ Checkpoints require_checkpoints(const fs::path& case_folder, std::optional<doubl
         given.empty() ? "no time folder and no " + dem_prefix + "<step>" : given,
         "time folders with U, p, phi and alphaf of every processor and the " + dem_prefix +
             "<step> of the same time",
-        "give --checkpoint PREFIX if fix couple/bridge has the keyword checkpoint; else start the "
-        "run from the beginning, and let both codes write at the same times");
+        "give --checkpoint PREFIX if fix couple/bridge has the keyword checkpoint; "
+        "else start the run from the beginning, and let both codes write at the same times");
   }
   return found;
 }

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file particle_clock.h
-/// Times of the particles' dumps on the clock of the gas [s]: the one function for every reader of
-/// dumps.
+/// Times of the particles' dumps on the clock of the gas [s], for every reader of dumps.
+///
 ///   t_gas = t_particles - ahead,    t_particles = the dump's own time, else step dt
+///
 /// `ahead` is what LIGGGHTS's clock had before the first exchange (a bed that settled). powderFoam
 /// writes it with its fields, <T>/uniform/couplingClock; where it differs from one time folder to
 /// another (a coupled run that was begun anew in the same folder), a dump takes that of the first
 /// folder which is not before it, since this is the run that it belongs to; after the last folder
 /// the last one counts. Without such a file the clocks are taken as one.
-/// Tests: tests/analysis/particle_clock_test.cpp, tests/foam/clock_ahead_test.sh
+/// Tests: tests/analysis/particle_clock_test.cpp
 #pragma once
 
 #include <filesystem>

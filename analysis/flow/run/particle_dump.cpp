@@ -254,8 +254,9 @@ std::vector<fs::path> list_dumps(const fs::path& case_folder) {
     throw InvalidInput("looking for particles in " + post.string(),
                        problem ? problem.message() : "no file particles_*.dump",
                        "the folder of a coupled run, with post/particles_<step>.dump",
-                       "give the folder in which LIGGGHTS ran, or add to its script: dump d all "
-                       "custom N post/particles_*.dump id type x y z vx vy vz radius mass");
+                       "give the folder in which LIGGGHTS ran, or add to its script: "
+                       "dump d all custom N post/particles_*.dump "
+                       "id type x y z vx vy vz radius mass");
   }
   std::sort(dumps.begin(), dumps.end(), [](const fs::path& a, const fs::path& b) {
     return std::make_pair(step_of_name(a).value_or(-1), a.string()) <

@@ -27,8 +27,8 @@ constexpr double kNotFound = -1e200;  // OpenFOAM's mark for a probe outside the
 
 [[noreturn]] void damaged(const fs::path& file, long line, const std::string& given) {
   throw InvalidInput(fmt::format("reading {}, line {}", file.string(), line), given,
-                     "scalar probes as OpenFOAM writes them: # Probe N (x y z), then a time and "
-                     "one value per probe",
+                     "scalar probes as OpenFOAM writes them: "
+                     "# Probe N (x y z), then a time and one value per probe",
                      "run the case again, or remove this file");
 }
 

@@ -71,10 +71,10 @@ DeviceRows device_rows(const std::vector<LoggedDrop>& drops, const DeviceSigmas&
     if (drop.contacts.kept() > 0 && drop.contacts[0].duration_us != kat::kNoValue)
       row.contact_time_us = require_contact_time_us(drop.contacts[0].duration_us, logged.place);
     if (!row.velocity.consistent) {
-      result.notes.push_back(fmt::format(
-          "{}: drop {}: {:.4g} m/s by the beam, {:.4g} m/s by the flight to the anvil: check "
-          "carrier_um, beam_um, latency_us and friction of the guide",
-          logged.place, drop.number, row.velocity.value_m_s, *row.velocity.flight_m_s));
+      result.notes.push_back(
+          fmt::format("{}: drop {}: {:.4g} m/s by the beam, {:.4g} m/s by the flight to the anvil: "
+                      "check carrier_um, beam_um, latency_us and friction of the guide",
+                      logged.place, drop.number, row.velocity.value_m_s, *row.velocity.flight_m_s));
     }
     result.rows.push_back(row);
   }

@@ -28,7 +28,8 @@ struct DeviceRows {
 };
 
 /// A report that is in `drops` again, identical in all fields, is one drop.
-/// \param diameters_um, sigmas_um  none, or one per drop without fault, in order; sigmas may be one for all
+/// \param diameters_um, sigmas_um  none, or one per drop without fault, in order; sigmas may be one
+///                                 for all
 DeviceRows device_rows(const std::vector<LoggedDrop>& drops, const DeviceSigmas& sigmas,
                        const std::vector<double>& diameters_um,
                        const std::vector<double>& sigmas_um);

@@ -78,8 +78,8 @@ void DeviceSession::unreadable(const std::string& word, bool holds_drop) const {
       fmt::format("KAT device on {}: command {}", port_, word),
       damaged_.empty() ? "an answer without its end" : "a damaged answer: " + damaged_,
       "whole lines of the device, as it sent them",
-      holds_drop ? "check cable and speed; the device holds the drop until the next is "
-                   "armed: --do report"
+      holds_drop ? "check cable and speed; "
+                   "the device holds the drop until the next is armed: --do report"
                  : "check cable and speed; --do status tells whether it was done");
 }
 

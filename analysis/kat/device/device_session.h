@@ -5,7 +5,8 @@
 /// damaged report is asked for again, and so is the answer of a command that changes nothing. What may
 /// have been done and is not known (arm, abort, clear, selftest) is not sent twice.
 /// Errors: InvalidInput for a refusal, with the device's own code and advice, for silence, and for
-/// answers that stay damaged. Tests: tests/analysis/kat_device_test.cpp, kat_device_live_test.cpp
+/// answers that stay damaged.
+/// Tests: tests/analysis/kat_device_test.cpp, tests/analysis/kat_device_live_test.cpp
 #pragma once
 
 #include <functional>

@@ -17,8 +17,8 @@ constexpr std::size_t kLongestLine = 4096;  // noise without an end must not fil
 [[noreturn]] void lost(const std::string& port, const std::string& why) {
   throw InvalidInput("serial port", port + ": " + why,
                      "the port of a KAT device that is plugged in",
-                     "look for it with 'ls /dev/ttyACM*', check the cable, that you may use it "
-                     "(group dialout) and that no other program does");
+                     "look for it with 'ls /dev/ttyACM*', check the cable, "
+                     "that you may use it (group dialout) and that no other program does");
 }
 
 }  // namespace

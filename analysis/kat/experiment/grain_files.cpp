@@ -39,10 +39,9 @@ std::string shapes_differ(const std::vector<Particle>& before, const std::vector
   const double b = median_circularity(before), a = median_circularity(after);
   if (before.empty() || after.empty() || std::min(a, b) >= alike * std::max(a, b)) return "";
   return fmt::format(
-      "the grains {} the drop have a median circularity of {:.2f}, those {} of {:.2f}: one of the "
-      "two shows noise or clusters; d_c is not to be trusted. Look at their outlines, and take "
-      "another "
-      "threshold (Otsu for pictures with few grains)",
+      "the grains {} the drop have a median circularity of {:.2f}, those {} of {:.2f}: "
+      "one of the two shows noise or clusters; d_c is not to be trusted. "
+      "Look at their outlines, and take another threshold (Otsu for pictures with few grains)",
       a < b ? "after" : "before", std::min(a, b), a < b ? "before" : "after", std::max(a, b));
 }
 

@@ -67,9 +67,9 @@ std::vector<std::string> disagreements(const std::vector<MethodResult>& methods)
   }
   if (!apart) return {};
   return {
-      fmt::format("the methods disagree by up to a factor of {:.3g}, more than their intervals "
-                  "allow ({}): their "
-                  "assumptions cannot hold together; believe the one whose assumption was measured",
+      fmt::format("the methods disagree by up to a factor of {:.3g}, "
+                  "more than their intervals allow ({}): their assumptions cannot hold together; "
+                  "believe the one whose assumption was measured",
                   given.back()->gamma->value / given.front()->gamma->value, fmt::join(list, ", "))};
 }
 

@@ -75,8 +75,9 @@ std::string kat_analysis_json(const KatAnalysis& a, const KatAnalysisInput& in) 
 std::string kat_analysis_text(const KatAnalysis& a, const KatAnalysisInput& in) {
   const RetentionAnalysis& r = a.retention;
   std::string text = fmt::format(
-      "{} on {}, impact at {:g} m/s\n{:.0f} grains before, {:.0f} after; area after over "
-      "before {:.3g} ({})\nretained fraction: {}\n\n",
+      "{} on {}, impact at {:g} m/s\n"
+      "{:.0f} grains before, {:.0f} after; area after over before {:.3g} ({})\n"
+      "retained fraction: {}\n\n",
       in.drop.particle.name, in.drop.substrate.name, in.drop.impact_velocity_m_s, r.before, r.after,
       r.area_ratio, in.retention.area_ratio ? "given" : "from the grains that stay", r.decision());
   TextTable diameters({"critical diameter [um]", "value", "95 % low", "high", ""});

@@ -52,8 +52,8 @@ void require_fewer_after(double before, double after, const RetentionOptions& o)
       fmt::format("{:.0f} after and {:.0f} before, for an area after of {:.3g} times that before",
                   after, before, o.area_ratio.value_or(o.nominal_ratio)),
       "no more grains per area after the drop than before",
-      "exchange --before and --after, or give the areas seen: --area-ratio, or --fields-before and "
-      "--fields-after");
+      "exchange --before and --after, or give the areas seen: "
+      "--area-ratio, or --fields-before and --fields-after");
 }
 
 /// The best share of strays, and what it gains in 2 ln L.
@@ -84,9 +84,8 @@ void require_seen(const RetentionLikelihood& l, const RetentionFit& fit,
                   "nothing left the plate, or what left does not depend on size",
                   before, after),
       "a drop after which large grains are missing",
-      "take a faster drop, coarser powder or more images; check that the tables are those of "
-      "before "
-      "and after");
+      "take a faster drop, coarser powder or more images; "
+      "check that the tables are those of before and after");
 }
 
 /// How much further from the value an end is for an error of its own.
@@ -109,18 +108,18 @@ LogInterval with(LogInterval i, double log_value) {
 void warn(RetentionAnalysis& a, const GrainSample& sample, const RetentionOptions& o) {
   if (a.strays_fitted) {
     a.warnings.push_back(
-        fmt::format("{:.2g} % of the grains stay whatever their size: dust, clumps read as one "
-                    "grain, or grains "
-                    "that do not touch the plate",
+        fmt::format("{:.2g} % of the grains stay whatever their size: "
+                    "dust, clumps read as one grain, or grains that do not touch the plate",
                     100.0 * a.strays));
   }
   if (!o.area_ratio) {
     const double tolerance = kTooMany * std::sqrt(1.0 / sample.before() + 1.0 / sample.after());
     if (std::fabs(std::log(a.area_ratio / o.nominal_ratio)) > tolerance) {
-      a.warnings.push_back(fmt::format(
-          "small grains are {:.3g} times as many after as before, where the numbers of files say "
-          "{:.3g}: other areas were seen, or grains of all sizes left; the first was taken",
-          a.area_ratio, o.nominal_ratio));
+      a.warnings.push_back(
+          fmt::format("small grains are {:.3g} times as many after as before, "
+                      "where the numbers of files say {:.3g}: "
+                      "other areas were seen, or grains of all sizes left; the first was taken",
+                      a.area_ratio, o.nominal_ratio));
     }
     return;
   }
@@ -128,9 +127,8 @@ void warn(RetentionAnalysis& a, const GrainSample& sample, const RetentionOption
   const RetentionFit& f = a.width;
   if (2.0 * (free(f.log_critical, f.width) - f.log_likelihood) > kStrayThreshold) {
     a.warnings.push_back(
-        fmt::format("small grains are {:.3g} times as many after as before, where the areas say "
-                    "{:.3g}: grains of "
-                    "all sizes left, or the areas are others",
+        fmt::format("small grains are {:.3g} times as many after as before, "
+                    "where the areas say {:.3g}: grains of all sizes left, or the areas are others",
                     free.area_ratio(f.log_critical, f.width), *o.area_ratio));
   }
 }
@@ -140,13 +138,13 @@ void warn(RetentionAnalysis& a, const GrainSample& sample, const RetentionOption
 std::string RetentionAnalysis::decision() const {
   if (!smeared) {
     return fmt::format(
-        "ideal truncation: a width gains {:.1f} in 2 ln L, which does not exclude it (up to "
-        "{:.2f})",
+        "ideal truncation: "
+        "a width gains {:.1f} in 2 ln L, which does not exclude it (up to {:.2f})",
         evidence, kStepThreshold);
   }
   return fmt::format(
-      "smeared by {:.2g} % of d_c: the width gains {:.1f} in 2 ln L over an ideal truncation (more "
-      "than {:.2f} excludes that at 5 %)",
+      "smeared by {:.2g} % of d_c: the width gains {:.1f} in 2 ln L over an ideal truncation "
+      "(more than {:.2f} excludes that at 5 %)",
       100.0 * width.width, evidence, kStepThreshold);
 }
 

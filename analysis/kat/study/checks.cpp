@@ -107,8 +107,8 @@ std::string mixed_unit_question(std::vector<double> values, const UsualRange& us
   if (thousand * low * among < large || thousand * small > among * high) return "";
   const bool small_wrong = small < usual.low || high <= usual.high;
   return fmt::format(
-      "values from {:g} to {:g} beside {:g} to {:g} {}: were {} given in some rows where {} are "
-      "meant? then write {:g} for {:g}",
+      "values from {:g} to {:g} beside {:g} to {:g} {}: "
+      "were {} given in some rows where {} are meant? then write {:g} for {:g}",
       low, small, large, high, usual.unit, small_wrong ? usual.larger_unit : usual.smaller_unit,
       usual.unit, small_wrong ? thousand * small : large / thousand, small_wrong ? small : large);
 }
@@ -116,12 +116,10 @@ std::string mixed_unit_question(std::vector<double> values, const UsualRange& us
 std::string adhesive_energy_warning(double adhesive_energy_J_m2, const std::string& where) {
   if (!(adhesive_energy_J_m2 > kDrySolids_J_m2)) return "";
   return fmt::format(
-      "{}: an adhesive energy of {:.4g} J/m^2 is above 10 J/m^2; dry solids have 0.01 to 1. It is "
-      "the "
-      "work of adhesion of the interface (twice the surface energy for like solids, pull-off "
-      "1.5 pi Gamma R), not a surface energy, and an instant stop asks for 100 to 1000 times more "
-      "of "
-      "it than a stop of 50 to 200 us",
+      "{}: an adhesive energy of {:.4g} J/m^2 is above 10 J/m^2; dry solids have 0.01 to 1. "
+      "It is the work of adhesion of the interface (twice the surface energy for like solids, "
+      "pull-off 1.5 pi Gamma R), not a surface energy, "
+      "and an instant stop asks for 100 to 1000 times more of it than a stop of 50 to 200 us",
       where, adhesive_energy_J_m2);
 }
 

@@ -13,8 +13,8 @@
 ///                model_discrepancy = 0.015              what the form of a prediction may be off
 ///   [kat]        all optional: velocities_m_s = [...] (without a measurement file), wall =
 ///                "primitive"|"mesh", frame = "plate"|"moving", time_step_rayleigh = 0.1
-///                (0.02 with a rate-dependent effect), restitution = 1.0, particles = 64, resolution = 0.002,
-///                diameter_range_um = [low, high]
+///                (0.02 with a rate-dependent effect), restitution = 1.0, particles = 64,
+///                resolution = 0.002, diameter_range_um = [low, high]
 ///
 /// Unknown keys, unknown names and impossible values are InvalidInput with file, line and key.
 /// Tests: tests/analysis/study_test.cpp

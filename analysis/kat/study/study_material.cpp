@@ -44,8 +44,8 @@ physics::Material read_material(const StrictTable& table) {
       return find_material(*name);
     } catch (const InvalidInput& e) {
       throw InvalidInput(table.place("material"), "'" + *name + "'", known_material_names(),
-                         "use one of these names, or give density_kg_m3, youngs_modulus_Pa and "
-                         "poissons_ratio instead");
+                         "use one of these names, "
+                         "or give density_kg_m3, youngs_modulus_Pa and poissons_ratio instead");
     }
   }
   if (name) {

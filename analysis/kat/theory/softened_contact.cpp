@@ -150,8 +150,8 @@ std::vector<SoftenedError> errors_of(const std::vector<SoftenedQuantity>& quanti
     const SoftenedQuantity& tabor = *find("tabor_parameter");
     e.push_back(
         {"tabor_factor",
-         fmt::format("the theory of adhesion that holds: {} at the real modulus, {} at the "
-                     "lowered one",
+         fmt::format("the theory of adhesion that holds: "
+                     "{} at the real modulus, {} at the lowered one",
                      physics::adhesion_theory(tabor.real), physics::adhesion_theory(*tabor.softened)),
          ratio("tabor_parameter")});
   }
@@ -171,10 +171,9 @@ Damping require_damping(std::optional<double> alpha, std::optional<double> resti
     if (std::fabs(e - *restitution) > kPrintedRestitution) {
       throw InvalidInput(
           "contact: alpha and restitution",
-          fmt::format(
-              "alpha {:g}, which is a restitution of {:.4g}, and restitution {:g}, which is "
-              "an alpha of {:.4g}",
-              *alpha, e, *restitution, other_alpha),
+          fmt::format("alpha {:g}, which is a restitution of {:.4g}, "
+                      "and restitution {:g}, which is an alpha of {:.4g}",
+                      *alpha, e, *restitution, other_alpha),
           "one of the two, or a pair whose restitutions agree within 0.005",
           "keep --alpha, which OpenFOAM reads, or --restitution, which LIGGGHTS reads");
     }

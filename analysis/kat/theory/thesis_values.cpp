@@ -10,15 +10,13 @@ namespace {
 // Eq. 4.5 with other moduli: 64 GPa gives 103.37 and 98.78 J/m^2, nu = 0.37 gives 17.54 J/m^2
 // (tests/analysis/kat_theory_report_test.cpp).
 constexpr const char* kGlass =
-    "rounding of v and d explains 0.5 % at most, and both glass rows are off by the same factor "
-    "0.960: "
-    "the print's modulus K is 10 % lower, as it would be with E = 64 GPa for the glass (a usual "
-    "value "
-    "of borosilicate) where Table 4.1 has 73 GPa";
+    "rounding of v and d explains 0.5 % at most, "
+    "and both glass rows are off by the same factor 0.960: "
+    "the print's modulus K is 10 % lower, as it would be with E = 64 GPa for the glass "
+    "(a usual value of borosilicate) where Table 4.1 has 73 GPa";
 constexpr const char* kUpvc =
-    "rounding of v and d explains 0.7 % at most: the print's modulus K is 5 % higher, as it would "
-    "be "
-    "with a Poisson's ratio of 0.37 for UPVC where Table 4.1 has 0.3";
+    "rounding of v and d explains 0.7 % at most: the print's modulus K is 5 % higher, "
+    "as it would be with a Poisson's ratio of 0.37 for UPVC where Table 4.1 has 0.3";
 constexpr double kSame = 5e-3;
 
 }  // namespace

@@ -27,8 +27,8 @@ std::optional<double> scale_of(const std::vector<fs::path>& pictures, std::optio
     if (facts.pictures > 1) {
       throw InvalidInput(picture.string(), fmt::format("a stack of {} pictures", facts.pictures),
                          "one picture per file",
-                         "in Fiji take Image > Stacks > Stack to Images and save those that show "
-                         "different grains");
+                         "in Fiji take Image > Stacks > Stack to Images "
+                         "and save those that show different grains");
     }
     if (!facts.pixel_size_um) continue;
     const std::string where = picture.string() + ", scale of the TIFF";
@@ -87,11 +87,10 @@ GrainSource read_grain_source(const std::vector<fs::path>& files,
   std::vector<std::string> notes;
   const auto scale_um = scale_of(pictures, pixel_size_um, notes);
   if (!pictures.empty() && !scale_um) {
-    throw InvalidInput(
-        pictures.front().string() + ", pixel size", "a picture without a scale",
-        "the side of a pixel in um",
-        "give --pixel-size-um X, or save a TIFF with its scale in Fiji; psd takes the scale bar "
-        "too: --scale-bar-um L --scale-bar-px N");
+    throw InvalidInput(pictures.front().string() + ", pixel size", "a picture without a scale",
+                       "the side of a pixel in um",
+                       "give --pixel-size-um X, or save a TIFF with its scale in Fiji; "
+                       "psd takes the scale bar too: --scale-bar-um L --scale-bar-px N");
   }
   source.set = read_particle_tables(tables, pixel_size_um);
   ParticleSet& set = source.set;

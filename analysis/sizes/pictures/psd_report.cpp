@@ -107,8 +107,8 @@ void fits(PsdReport& r) {
   const auto fit = [](const std::optional<RosinRammlerFit>& f) { return f && f->fits(); };
   if (fit(r.rr_number) || fit(r.cut_number) || fit(r.rr_mass) || fit(r.cut_mass)) return;
   r.set.notes.push_back(
-      "no Rosin-Rammler law fits these sizes: in.powder and sizeDistribution have them as "
-      "measured");
+      "no Rosin-Rammler law fits these sizes: "
+      "in.powder and sizeDistribution have them as measured");
 }
 
 }  // namespace
@@ -149,10 +149,10 @@ PsdReport analyse_sizes(const std::vector<fs::path>& files, const PsdOptions& op
   r.with_aspect_ratio = aspect.size();
   fits(r);
   if (!r.overlays.empty() && r.by_number[1].value < kSmallMedian_px * *r.set.pixel_size_um) {
-    r.set.notes.push_back(fmt::format(
-        "the median grain has {:.2g} pixels only: sizes are uncertain by their edges; use a higher "
-        "magnification",
-        r.by_number[1].value / *r.set.pixel_size_um));
+    r.set.notes.push_back(
+        fmt::format("the median grain has {:.2g} pixels only: sizes are uncertain by their edges; "
+                    "use a higher magnification",
+                    r.by_number[1].value / *r.set.pixel_size_um));
   }
   return r;
 }

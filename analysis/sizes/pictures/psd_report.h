@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file psd_report.h
 /// Everything that `powderlink psd` finds in tables and micrographs.
-///   specks: d < Q1 (Q1/Q3)^6, quartiles by mass, where these grains have 1 % of the mass at most: what
-///   has hardly any mass and is far below all the rest, dust or noise. Quartiles by mass do not mind how many specks there are. A Rosin-Rammler
-///   powder with n = 2 to 4 loses less than 1 % of its grains to it. Flagged, and left out on demand.
+///
+///   specks   d < Q1 (Q1/Q3)^6, Q1 and Q3 quartiles by mass, if these grains have 1 % of the mass at most
+///
+/// Specks have hardly any mass and are far below all the rest: dust or noise. They are flagged, and left
+/// out on demand. Quartiles by mass do not depend on how many specks there are. A Rosin-Rammler powder
+/// with n = 2 to 4 loses less than 1 % of its grains to the rule.
 /// Tests: tests/psd/psd_command_test.cpp
 #pragma once
 

@@ -240,9 +240,8 @@ cv::Mat grain_share(const cv::Mat& picture, const cv::Mat& smoothed, GrainTone t
             "no grains to be seen: the two brightnesses differ by {:.2g} times their scatter",
             best.apart),
         fmt::format("more than {:g} times: grains of one tone on a background of another", kApart),
-        "give --grains bright or dark, a picture with more contrast, or --crop-bottom when it has "
-        "a "
-        "legend");
+        "give --grains bright or dark, "
+        "a picture with more contrast, or --crop-bottom when it has a legend");
   }
   for (const int degree : {0, 1}) {
     TwoLevels other = fit_levels(samples, tone, degree);

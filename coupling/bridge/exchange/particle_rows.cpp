@@ -156,8 +156,8 @@ void check_fields(const FrameView& frame, const std::vector<FieldSpec>& specs, s
       throw BridgeError(Kind::mismatch, "particle exchange with " + from,
                         std::to_string(field.rows) + " rows of " + describe(field.spec()),
                         std::to_string(rows) + " rows of " + describe(specs[i]),
-                        "give both programs the same list of fields and keep the particles "
-                        "between send and receive");
+                        "give both programs the same list of fields "
+                        "and keep the particles between send and receive");
     }
   }
 }

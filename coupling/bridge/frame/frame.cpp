@@ -48,8 +48,9 @@ const char* text_of(const std::byte* at) { return reinterpret_cast<const char*>(
 BridgeError bad_frame(const std::string& what, const std::string& given,
                       const std::string& allowed) {
   return {BridgeError::Kind::bad_frame, "frame: " + what, given, allowed,
-          "the bytes were damaged on the way or are not from powderlink: see that both programs "
-          "are whole and nothing else uses this address, then start both again"};
+          "the bytes were damaged on the way or are not from powderlink: "
+          "see that both programs are whole and nothing else uses this address, "
+          "then start both again"};
 }
 
 bool name_character(char c) {

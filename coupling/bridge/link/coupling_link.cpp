@@ -294,8 +294,8 @@ void check_known(const Hello& solver, const std::vector<FieldSpec>& known) {
     for (const FieldSpec& spec : known) list += (list.empty() ? "" : ", ") + describe(spec);
     throw BridgeError(Kind::mismatch, "coupling field " + offer.name,
                       solver.role + " sends " + describe(offer) + ", dem does not know it", list,
-                      "switch the force law that makes the field off, or use programs of the same "
-                      "release");
+                      "switch the force law that makes the field off, "
+                      "or use programs of the same release");
   }
 }
 

@@ -46,8 +46,8 @@ class Deadline {
     text << "nothing within " << timeout_s_ << " s";
     return {BridgeError::Kind::timeout, "waiting for " + waited_for, text.str(),
             "an answer before the timeout",
-            "see the log of the other program: it hangs, is slower than the timeout, or was never "
-            "started; a longer timeout helps only when it is slow"};
+            "see the log of the other program: it hangs, is slower than the timeout, "
+            "or was never started; a longer timeout helps only when it is slow"};
   }
 
  private:

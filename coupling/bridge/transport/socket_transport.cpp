@@ -219,8 +219,8 @@ class Doorman {
           stream.set_limits(limits_of_strangers());
           send_away(stream,
                     "connection to " + listener_->text() +
-                        "; given: a second client; allowed: one client per run; to do: end the "
-                        "other client, or give this run an address of its own");
+                        "; given: a second client; allowed: one client per run; "
+                        "to do: end the other client, or give this run an address of its own");
         }
       } catch (const std::exception&) {  // that client is gone; the next one may come
       }

@@ -10,7 +10,9 @@
 /// both sides give the same token; the token keeps strangers out of a run by mistake or scan, but
 /// travels in clear text: use it within a network that you trust.
 /// Nothing waits longer than the timeout, also for the look-up of a host or a client that never stops
-/// sending; who has not given the token yet may send 64 KiB. A peer that dies is noticed at once (end of file, reset).
+/// sending; who has not given the token yet may send 64 KiB. A peer that dies is noticed at once (end of
+/// file, reset).
+/// Tests: tests/bridge/socket_test.cpp
 #pragma once
 
 #include <memory>

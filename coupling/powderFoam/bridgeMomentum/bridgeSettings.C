@@ -27,8 +27,8 @@ Foam::fluidForces::fluidProperties Foam::bridgeSettings::readFluid
                 transport,
                 name,
                 "missing",
-                "density rho [kg/m3] and kinematic viscosity nu [m2/s] of"
-                " the fluid",
+                "density rho [kg/m3]"
+                " and kinematic viscosity nu [m2/s] of the fluid",
                 "add them: forces on particles need them"
             );
         }

@@ -30,8 +30,8 @@ Foam::scalar Foam::exchangeClock::interval
             time.controlDict(),
             "adjustTimeStep",
             "yes, without couplingTime",
-            "steps of constant length, or couplingTime [s] in"
-            " constant/couplingProperties",
+            "steps of constant length,"
+            " or couplingTime [s] in constant/couplingProperties",
             "set couplingTime instead of couplingInterval there"
         );
     }
@@ -49,8 +49,8 @@ Foam::scalar Foam::exchangeClock::interval
             "deltaT",
             Foam::name(time.deltaTValue()) + " s, with couplingTime "
           + Foam::name(coupling.couplingTime()) + " s",
-            "a whole number of steps from exchange to exchange, or steps that"
-            " are adjusted",
+            "a whole number of steps from exchange to exchange,"
+            " or steps that are adjusted",
             "set deltaT "
           + Foam::name(coupling.couplingTime()/max(ceil(nSteps), 1.0))
           + ", or adjustTimeStep yes and maxCo"
@@ -77,8 +77,8 @@ void Foam::exchangeClock::checkPurge() const
             dict,
             "purgeWrite",
             "1",
-            "0 (keep all), or at least 2: the last pair of checkpoints must"
-            " stay until the next one is whole",
+            "0 (keep all), or at least 2: the last pair of checkpoints"
+            " must stay until the next one is whole",
             "set purgeWrite 2"
         );
     }
@@ -112,8 +112,9 @@ Foam::label Foam::exchangeClock::checkWriteTimes() const
             "writeControl",
             control
           + (control == "timeStep" ? ", with adjustTimeStep yes" : ""),
-            "runTime or adjustableRunTime, and timeStep with steps of constant"
-            " length: fields are written at exchanges",
+            "runTime or adjustableRunTime,"
+            " and timeStep with steps of constant length:"
+            " fields are written at exchanges",
             "set writeControl adjustableRunTime and writeInterval [s]"
         );
     }
@@ -139,8 +140,8 @@ Foam::label Foam::exchangeClock::checkWriteTimes() const
             "fields every " + Foam::name(period) + " s, exchanges every "
           + Foam::name(interval_) + " s",
             "a whole number of exchanges from write to write",
-            "change writeInterval, or couplingInterval in"
-            " constant/couplingProperties"
+            "change writeInterval,"
+            " or couplingInterval in constant/couplingProperties"
         );
     }
     return round(nIntervals);

@@ -98,8 +98,8 @@ namespace
             ({
                 "moving mesh: constant/dynamicMeshDict",
                 "dynamicFvMesh " + type,
-                "staticFvMesh: the mesh of this solver stands; walls move in"
-                " LIGGGHTS",
+                "staticFvMesh: the mesh of this solver stands;"
+                " walls move in LIGGGHTS",
                 "set dynamicFvMesh staticFvMesh, or remove the file"
             });
         }
@@ -109,8 +109,8 @@ namespace
             {"SRFProperties", "a frame at rest: remove the file"},
             {
                 "porosityProperties",
-                "explicitPorositySource in constant/fvOptions: move the zones"
-                " there, remove the file"
+                "explicitPorositySource in constant/fvOptions:"
+                " move the zones there, remove the file"
             }
         };
         for (const Pair<string>& other : others)
@@ -180,8 +180,8 @@ namespace
             found.append
             ({
                 "sources: fvOptions",
-                "constant/fvOptions and system/fvOptions, of which OpenFOAM"
-                " reads the former alone",
+                "constant/fvOptions and system/fvOptions,"
+                " of which OpenFOAM reads the former alone",
                 "one of them",
                 "put all sources into constant/fvOptions, remove the other"
             });
@@ -246,8 +246,8 @@ namespace
                 ({
                     "function object " + e.keyword(),
                     "scalarTransport with phi, the flux between the particles",
-                    "where the fluid fraction is 1; elsewhere a uniform scalar"
-                    " does not stay so",
+                    "where the fluid fraction is 1;"
+                    " elsewhere a uniform scalar does not stay so",
                     "take type fluidScalarTransport; same entries, no libs"
                 });
             }

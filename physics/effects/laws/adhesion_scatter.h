@@ -7,7 +7,8 @@
 ///
 /// Gamma_c(d) is the Gamma at which d is the critical diameter. The median grain has Gamma, so d_c
 /// as the 50 % point does not change; only the retained share over d widens.
-/// Symbols: s standard deviation of ln Gamma [-], Phi normal distribution function.
+/// Symbols: Gamma work of adhesion [J/m^2], of grain i Gamma_i; s standard deviation of ln Gamma [-],
+/// Phi normal distribution function, d_c critical diameter [m].
 /// Validity: grains independent of each other. DEM has one Gamma per pair of types and refuses it.
 /// Source: M. Gotzinger, W. Peukert, Powder Technol. 130 (2003) 102 (spread of adhesion forces).
 /// Tests: tests/models/effects_test.cpp

@@ -7,7 +7,9 @@
 ///
 /// Derivation: bridge of immersion H between plate and parabola, V = pi R (H^2 - h^2), Laplace
 /// pressure 2 gamma/H on the wetted area 2 pi R (H - h), contact angles zero.
-/// Symbols: gamma surface tension [N/m], h gap [m], h_r = kappa R rupture distance [m], V [m^3].
+/// Symbols: gamma surface tension [N/m], R radius of the sphere [m], h gap [m], h_r = kappa R rupture
+/// distance [m], V volume [m^3].
+/// Sign: F < 0 attracts; while the solids overlap it stays at its value of h = 0.
 /// Validity: small volume, quasi-static bridge (no viscous force), full wetting.
 /// Source: D. Maugis, J. Adhesion Sci. Technol. 1 (1987) 105; rupture: G. Lian et al.,
 /// J. Colloid Interface Sci. 161 (1993) 138.

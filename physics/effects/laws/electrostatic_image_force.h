@@ -5,7 +5,9 @@
 ///   F(h) = -q^2 / (16 pi eps0 (R + h)^2),   U(h) = -q^2 / (16 pi eps0 (R + h)),
 ///   q = 4 pi R^2 sigma
 ///
-/// Symbols: sigma surface charge density [C/m^2], h gap [m], eps0 8.8541878128e-12 F/m.
+/// Symbols: q charge [C], sigma surface charge density [C/m^2], R radius [m], h gap [m], v impact
+/// speed [m/s], rho density of the sphere [kg/m^3], eps0 8.8541878128e-12 F/m.
+/// Sign: F < 0 attracts; U is 0 at infinity.
 /// The potential scales with R^3 as the kinetic energy does, so below
 /// v^2 = 3 sigma^2/(2 rho eps0) nothing leaves at any size.
 /// Validity: conducting plate, charge that does not move on the sphere.
@@ -31,8 +33,8 @@ class ElectrostaticImageForce : public Effect {
         "d_c diverges at low v (nothing leaves below a speed), slope -1.2 at high v",
         {{"surface_charge_C_m2", 0.0, 2e-5, 1e-9, 1e-2, 0.0, 1e-4,
           "breakdown of air: 2.7e-5 C/m2 on large, some times more on small spheres"}},
-        "neutralise the powder (ionised air, a conducting plate earthed): d_c at low speed must "
-        "fall"};
+        "neutralise the powder (ionised air, a conducting plate earthed): "
+        "d_c at low speed must fall"};
     return i;
   }
 

@@ -6,7 +6,9 @@
 ///   slow limit (tau much longer than the contact's period): m A_max = 1.5 pi Gamma R,
 ///   so d_c ~ v^(-1/2)
 ///
-/// Symbols: tau contact time of carrier and anvil [s], e_p rebound of the plate [-].
+/// Symbols: A deceleration of the plate [m/s^2], v impact speed [m/s], tau contact time of carrier and
+/// anvil [s], e_p rebound of the plate [-]; m, R mass [kg] and radius [m] of the grain, Gamma work of
+/// adhesion [J/m^2]. Sign: A > 0 slows the plate.
 /// Validity: stiff plate; any ratio of tau to the contact's period.
 /// Source: thesis of L. Pedrolli, Section 4.3 (contact times of 50-200 us on the device).
 /// Tests: tests/models/effects_test.cpp, tests/analysis/reduced_model_test.cpp

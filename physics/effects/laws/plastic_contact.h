@@ -10,7 +10,8 @@
 /// and unloads elastically with the radius of curvature R_p that has this a at this P. Yield is taken
 /// to set in at once, where it really spreads gradually from below the surface.
 /// p ~ Gamma^(1/3) E*^(2/3) R*^(-1/3): small grains yield first.
-/// Symbols: p_y mean pressure at yield [Pa], R_p flattened radius [m], a0 contact radius at rest [m].
+/// Symbols: p, p_y mean pressure, and at yield [Pa], R*, R_p reduced and flattened radius [m], a0
+/// contact radius at rest [m], Gamma work of adhesion [J/m^2], E* effective modulus [Pa].
 /// Validity: yield by adhesion alone (no other preload), a << R*, no hardening.
 /// Source: D. Maugis, H. M. Pollock, Acta Metall. 32 (1984) 1323; flattened radius: C. Thornton,
 /// Z. Ning, Powder Technol. 99 (1998) 154.

@@ -6,7 +6,8 @@
 ///
 /// The edge moves so that the energy release rate equals Gamma(v). An edge that advances follows
 /// the equilibrium: dissipation only holds back an opening crack here.
-/// Symbols: v* speed at which the fracture energy has doubled [m/s], n exponent [-].
+/// Symbols: Gamma work of adhesion at rest [J/m^2], a contact radius [m], v* speed at which the
+/// fracture energy has doubled [m/s], n exponent [-].
 /// Validity: dissipation confined to the edge; da/dt well below the Rayleigh speed.
 /// Source: D. Maugis, M. Barquins, J. Phys. D 11 (1978) 1989; K. Kendall, J. Adhesion 5 (1973) 179.
 /// Tests: tests/models/effects_test.cpp

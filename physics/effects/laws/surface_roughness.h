@@ -5,7 +5,8 @@
 ///   Gamma_eff = Gamma / (1 + R*/r_a)
 ///
 /// so that the pull-off 1.5 pi Gamma_eff R* is that of an asperity of radius r_a on the sphere.
-/// Symbols: r_a asperity radius [m], R* reduced radius [m].
+/// Symbols: r_a asperity radius [m], R* reduced radius [m], Gamma work of adhesion of the smooth
+/// interface [J/m^2].
 /// Validity: one asperity carries the contact; r_a >> R* is the smooth limit.
 /// Source: H. Rumpf, Chem. Ing. Tech. 42 (1970) 538 (asperity in series with the sphere).
 /// Tests: tests/models/effects_test.cpp

@@ -8,9 +8,8 @@
 ///   F_D = 3 pi mu d alpha_f F (u - v),   K = 3 pi mu d alpha_f F
 ///
 /// phi = 1 - alpha_f, Re = Re_p = alpha_f d |u - v| / nu. Monodisperse form.
-/// Symbols: F over Stokes at the superficial velocity [-]; else as in schiller_naumann.h.
-/// Model: the source's F excludes the pressure gradient force: K is K_A. (Its total force is
-/// F/alpha_f.)
+/// Symbols: F over Stokes at the superficial velocity [-]; else, and sign, as in schiller_naumann.h.
+/// Model: the source's F excludes the pressure gradient force: K is K_A. Its total force is F/alpha_f.
 /// Validity: 0 <= phi <= 0.6, Re <= 1000, random arrays of equal spheres.
 /// Source: R. Beetstra, M.A. van der Hoef, J.A.M. Kuipers, AIChE J. 53 (2007) 489, with its erratum
 /// AIChE J. 53 (2007) 3020; Re -> 0: M.A. van der Hoef, R. Beetstra, J.A.M. Kuipers, J. Fluid Mech.

@@ -2,18 +2,19 @@
 /// \file buoyancy.h
 /// Weight and Archimedes' force.
 ///
-///   F = (rho_p - rho_f) V g        weight_in_dem = false
-///   F = -rho_f V g                 weight_in_dem = true: the DEM code applies m g (fix gravity)
+///   F = (rho_p - rho_f) V g     weight_in_dem = false
+///   F = -rho_f V g              weight_in_dem = true: the DEM code applies m g (fix gravity)
 ///
 /// Symbols: rho_p, rho_f densities of particle and fluid [kg/m^3], V = pi d^3/6 [m^3], g [m/s^2].
-/// Sign: along g for a particle that is heavier than the fluid.
-/// Model: the same in A and B. The pressure of FluidState is dynamic, so its hydrostatic part rho_f
-/// g is counted here and only here; `pressure_gradient` never holds it. In a settling suspension
-/// the greater buoyancy of the mixture is in the dynamic pressure gradient alpha_s (rho_p - rho_f)
-/// g. The fluid gets no reaction: with the dynamic pressure its own weight has gone as well.
+/// Sign: along g for a particle that is heavier than the fluid; against g with weight_in_dem.
+/// Model: the same in A and B. The pressure of FluidState is dynamic, so its hydrostatic part
+/// rho_f g is counted here and only here; `pressure_gradient` never holds it. In a settling
+/// suspension the greater buoyancy of the mixture is in the dynamic pressure gradient,
+/// alpha_s (rho_p - rho_f) g. The fluid gets no reaction: with the dynamic pressure its own weight
+/// has gone as well.
 /// Validity: g even, rho_f even over the particle.
-/// Source: C.T. Crowe et al., Multiphase Flows with Droplets and Particles, 2nd ed. (2012), Chapter
-/// 4.
+/// Source: C.T. Crowe et al., Multiphase Flows with Droplets and Particles, 2nd ed. (2012),
+/// Chapter 4.
 /// Tests: tests/forces/other_forces_test.cpp
 #ifdef POWDERLINK_FORCE
 POWDERLINK_FORCE(buoyancy, Buoyancy)

@@ -8,8 +8,7 @@
 ///   K   = 3 pi mu d (0.63 Re^1/2 + 4.8)^2/24 alpha_f^(1-chi),   Re = alpha_f d |u - v| / nu
 ///
 /// Symbols and sign as in schiller_naumann.h; chi voidage exponent [-].
-/// Model: K is K_A (exponent -chi on the superficial velocity; model B has -(chi + 1): Kafui et
-/// al.).
+/// Model: K is K_A: exponent -chi on the superficial velocity; model B has -(chi + 1) (Kafui et al.).
 /// Validity: spheres, any alpha_f, 0.01 < Re < 1e4. Dallavalle's C_D tends to 23.04/Re: K is 4 %
 /// below Stokes for Re -> 0; kept as in the source.
 /// Source: R. Di Felice, Int. J. Multiphase Flow 20 (1994) 153; J.M. Dallavalle, Micromeritics

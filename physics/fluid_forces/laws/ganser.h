@@ -7,12 +7,12 @@
 ///   K2  = 10^(1.8148 (-log10 psi)^0.5743)        shape factor of Newton's range
 ///   K   = 3 pi mu d (C_D Re/24),   Re = alpha_f d |u - v| / nu
 ///
-/// Symbols: psi sphericity [-], d diameter of the sphere of equal volume [m]; else as in
+/// Symbols: psi sphericity [-], d diameter of the sphere of equal volume [m]; else, and sign, as in
 /// schiller_naumann.h.
 /// Model: a single particle, alpha_f -> 1; K is taken as K_A. No crowding.
 /// Validity: isometric particles (cubes, octahedra, crushed grains), random orientation, far from
-/// walls; Re K1 K2 < 1e5; psi from about 0.5 for isometric shapes. The fit spans all shapes: at psi
-/// = 1 it is below Schiller-Naumann's, by 13 % at Re 10 and 26 % at Re 100. For spheres take a
+/// walls; Re K1 K2 < 1e5; psi from about 0.5 for isometric shapes. The fit spans all shapes: at
+/// psi = 1 it is below Schiller-Naumann's, by 13 % at Re 10 and 26 % at Re 100. For spheres take a
 /// sphere's law.
 /// Source: G.H. Ganser, Powder Technol. 77 (1993) 143, Eq. 18 and Table 7 (isometric).
 /// Tests: tests/forces/drag_test.cpp

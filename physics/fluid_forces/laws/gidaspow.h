@@ -9,9 +9,9 @@
 ///
 /// C_D of Schiller and Naumann at Re = Re_p = alpha_f d |u - v| / nu, 0.44 from Re 1000 on.
 /// Symbols: beta_A exchange coefficient [kg/(m^3 s)], alpha_s = 1 - alpha_f, V = pi d^3/6 [m^3];
-/// else as in schiller_naumann.h.
-/// Model: K is K_A, without the pressure gradient force. Summed over a bed, n K (u - v) = -alpha_f
-/// dp/dx; with V (-dp/dx) from each particle this is the whole of Ergun's -dp/dx.
+/// else, and sign, as in schiller_naumann.h.
+/// Model: K is K_A, without the pressure gradient force. Summed over the n particles of a volume,
+/// n K (u - v) = -alpha_f dp/dx; with V (-dp/dx) from each of them this is the whole of Ergun's -dp/dx.
 /// Validity: spheres, any alpha_f. The law *jumps* at alpha_f 0.8: for Re -> 0 from 2.083 (Ergun)
 /// down to 1.806 (Wen-Yu), -13 %; this is the law of the source and is kept.
 /// Source: D. Gidaspow, Multiphase Flow and Fluidization (1994), Chapter 2, after S. Ergun, Chem.

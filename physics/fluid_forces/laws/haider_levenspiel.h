@@ -9,7 +9,7 @@
 ///   D = exp(1.4681 + 12.2584 psi - 20.7322 psi^2 + 15.8855 psi^3)
 ///   K = 3 pi mu d (C_D Re/24),   Re = alpha_f d |u - v| / nu
 ///
-/// Symbols: psi sphericity [-], d diameter of the sphere of equal volume [m]; else as in
+/// Symbols: psi sphericity [-], d diameter of the sphere of equal volume [m]; else, and sign, as in
 /// schiller_naumann.h.
 /// Model: a single particle, alpha_f -> 1; K is taken as K_A. No crowding.
 /// Validity: isometric particles, psi > 0.67, Re < 25000 (spheres 2.6e5); at psi = 1 within 7 % of

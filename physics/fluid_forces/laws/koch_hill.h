@@ -9,13 +9,14 @@
 ///   F3 = 0.0673 + 0.212 phi + 0.0232/(1 - phi)^5
 ///
 /// phi = 1 - alpha_f, Re = Re_p = alpha_f d |u - v| / nu (half of it in the source: hence F3 Re/2).
-/// Symbols: F0, F3 viscous and inertial factor [-]; else as in schiller_naumann.h.
-/// Model: the source's F is the *total* force with the mean pressure gradient, over 3 pi mu d
-/// alpha_f (u - v), which is K_B/alpha_f; K here is K_A = alpha_f K_B.
+/// Symbols: F0, F3 viscous and inertial factor [-], phi solids fraction [-]; else, and sign, as in
+/// schiller_naumann.h.
+/// Model: the source's F is the *total* force with the mean pressure gradient, over
+/// 3 pi mu d alpha_f (u - v): K_B = 3 pi mu d alpha_f F; K here is K_A = alpha_f K_B.
 /// Validity: 0 < phi < 0.64, Re < 200. F0 falls by 3.8 % when phi passes 0.4. For phi -> 0 the law
-/// is 1 + 0.045 Re: 9 % below Schiller-Naumann at Re 1, 3 % at Re 40, 49 % above at Re 200. 17.14,
-/// not the 16.14 that some codes carry: only 17.14 - 0.681 gives the exact dilute coefficient
-/// 16.456 of S. Kim, W.B. Russel, J. Fluid Mech. 154 (1985) 269.
+/// is 1 + 0.045 Re: 9 % below Schiller-Naumann at Re 1, 3 % at Re 40, 49 % above at Re 200.
+/// The factor is 17.14, not the 16.14 that some codes carry: only 17.14 - 0.681 gives the exact dilute
+/// coefficient 16.456 of S. Kim, W.B. Russel, J. Fluid Mech. 154 (1985) 269.
 /// Source: D.L. Koch, R.J. Hill, Annu. Rev. Fluid Mech. 33 (2001) 619; R.J. Hill, D.L. Koch, A.J.C.
 /// Ladd, J. Fluid Mech. 448 (2001) 213 (F0) and 243 (F3); F0 from D.L. Koch, A.S. Sangani, J. Fluid
 /// Mech. 400 (1999) 229.

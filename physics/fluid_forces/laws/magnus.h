@@ -7,15 +7,15 @@
 ///   Re   = Re_p = alpha_f d |u - v| / nu,   Re_r = rho |Omega| d^2/mu
 ///
 /// For Re, Re_r -> 0, alpha_f = 1: F = (pi/8) rho d^3 Omega x (u - v), Rubinow and Keller's.
-/// Symbols: omega spin of the particle [rad/s]; else as in schiller_naumann.h.
+/// Symbols: omega spin of the particle [rad/s], C_LR lift coefficient [-]; else as in
+/// schiller_naumann.h.
 /// Sign: a particle with spin omega and velocity v in fluid at rest feels F along omega x v.
 /// Model: the same in A and B; the fluid gets -F.
-/// Validity: Re < 140 and Re_r/(2 Re) < 6 (data of the source 10 < Re < 140); commonly used to
-/// 2000.
-/// Source: B. Oesterle, T. Bui Dinh, Exp. Fluids 25 (1998) 16: 0.45 + (2 gamma - 0.45) exp(-0.075
-/// gamma^0.4 Re^0.7), gamma = d |Omega|/(2 |u - v|); in Re_r as in C.T. Crowe et al., Multiphase
-/// Flows with Droplets and Particles, 2nd ed. (2012), Chapter 4; limit S.I. Rubinow, J.B. Keller,
-/// J. Fluid Mech. 11 (1961) 447.
+/// Validity: Re < 140 and Re_r/(2 Re) < 6 (data of the source 10 < Re < 140); often used to 2000.
+/// Source: B. Oesterle, T. Bui Dinh, Exp. Fluids 25 (1998) 16, with gamma = d |Omega|/(2 |u - v|):
+///   C_LR = 0.45 + (2 gamma - 0.45) exp(-0.075 gamma^0.4 Re^0.7)
+/// in Re_r as in C.T. Crowe et al., Multiphase Flows with Droplets and Particles, 2nd ed. (2012),
+/// Chapter 4; limit: S.I. Rubinow, J.B. Keller, J. Fluid Mech. 11 (1961) 447.
 /// Tests: tests/forces/other_forces_test.cpp
 #ifdef POWDERLINK_FORCE
 POWDERLINK_FORCE(magnus, Magnus)

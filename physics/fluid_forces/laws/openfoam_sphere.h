@@ -5,8 +5,8 @@
 ///   C_D = 24/Re (1 + Re^(2/3)/6)    Re <= 1000
 ///       = 0.424                     Re >  1000
 ///
-/// K = 3 pi mu d (C_D Re / 24), Re = Re_p = alpha_f d |u - v| / nu; symbols and sign as in
-/// schiller_naumann.h.
+/// K = 3 pi mu d (C_D Re / 24), Re = Re_p = alpha_f d |u - v| / nu.
+/// Symbols and sign as in schiller_naumann.h.
 /// Model: a single sphere, alpha_f -> 1; K is taken as K_A. No crowding.
 /// Validity: Re < 2e5; the two branches meet at Re 1000 (0.424).
 /// Source: A. Putnam, ARS J. 31 (1961) 1467; A.A. Amsden, P.J. O'Rourke, T.D. Butler, KIVA-II,

@@ -8,10 +8,10 @@
 /// Sign: towards lower pressure.
 /// Model: A. In B the pressure is in the fluid only, the drag carries its share (force.h): F = 0.
 /// The fluid gets no reaction: its own term is -alpha_f grad p.
-/// Validity: grad p even over the particle. The hydrostatic part belongs to `buoyancy`: nothing is
-/// counted twice.
-/// Source: C.T. Crowe et al., Multiphase Flows with Droplets and Particles, 2nd ed. (2012), Chapter
-/// 4; Z.Y. Zhou, S.B. Kuang, K.W. Chu, A.B. Yu, J. Fluid Mech. 661 (2010) 482, set II.
+/// Validity: grad p even over the particle. The hydrostatic part belongs to `buoyancy`, so that nothing
+/// is counted twice.
+/// Source: C.T. Crowe et al., Multiphase Flows with Droplets and Particles, 2nd ed. (2012),
+/// Chapter 4; Z.Y. Zhou, S.B. Kuang, K.W. Chu, A.B. Yu, J. Fluid Mech. 661 (2010) 482, set II.
 /// Tests: tests/forces/other_forces_test.cpp
 ///        tests/forces/packed_bed_test.cpp
 #ifdef POWDERLINK_FORCE

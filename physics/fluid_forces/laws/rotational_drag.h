@@ -8,7 +8,8 @@
 ///   Re_r = rho |Omega| d^2/mu
 ///
 /// as K_r = pi mu d^3 (C_R Re_r/(64 pi)), which has no 0/0 at Omega = 0.
-/// Symbols: omega spin of the particle [rad/s], K_r rotational drag coefficient [N m s].
+/// Symbols: T torque [N m], omega spin of the particle, Omega that of the fluid against it [rad/s], K_r
+/// rotational drag coefficient [N m s], C_R torque coefficient [-]; else as in schiller_naumann.h.
 /// Sign: the torque turns the particle along with the fluid; it only dissipates the relative spin.
 /// Model: the same in A and B. The fluid gets no momentum from it.
 /// Validity: Re_r < 1000, no slip velocity; C_R rises by 0.16 % when Re_r passes 32.

@@ -10,7 +10,8 @@
 ///   beta = Re_w/(2 Re),  Re = Re_p = alpha_f d |u - v| / nu,  Re_w = rho |curl u| d^2/mu
 ///
 /// that is F = 1.615 d^2 sqrt(rho mu/|curl u|) (C'/6.46) (u - v) x curl u: Saffman's for Re -> 0.
-/// Symbols: V = pi d^3/6 [m^3], beta shear over slip [-]; else as in schiller_naumann.h.
+/// Symbols: V = pi d^3/6 [m^3], C_L lift coefficient [-], beta shear over slip [-]; else as in
+/// schiller_naumann.h.
 /// Sign: in u = G y e_x a particle that lags behind the fluid is lifted towards faster fluid (+y).
 /// Model: the same in A and B; the fluid gets -F.
 /// Validity: Saffman needs Re << sqrt(Re_w) << 1; Mei's fit 0.1 <= Re <= 100, 0.005 <= beta <= 0.4.

@@ -7,8 +7,9 @@
 ///       = 0.44                         Re >  1000
 ///
 /// as K = 3 pi mu d (C_D Re / 24), which has no 0/0 at rest; Re = Re_p = alpha_f d |u - v| / nu.
-/// Symbols: C_D drag coefficient [-], d diameter [m], rho, mu density and viscosity of the fluid
-/// [kg/m^3, Pa s], u, v velocities of fluid and particle [m/s].
+/// Symbols: C_D drag coefficient [-], K [kg/s], d diameter [m], rho, mu, nu density and viscosities of
+/// the fluid [kg/m^3, Pa s, m^2/s], alpha_f fluid fraction [-], u, v velocities of fluid (between the
+/// particles) and particle [m/s].
 /// Sign: the force pulls the particle along with the fluid.
 /// Model: a single sphere, alpha_f -> 1, where A and B are one; K is taken as K_A (without pressure
 /// gradient). No crowding: alpha_f enters through Re_p only.

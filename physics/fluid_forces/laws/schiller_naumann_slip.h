@@ -10,9 +10,9 @@
 /// [kg/m^3, Pa s, m^2/s], u interstitial velocity of the fluid, v of the particle [m/s].
 /// Sign: the force pulls the particle along with the fluid.
 /// Model: K is taken as K_A; in model B it is divided by alpha_f. The law of CFDEMcoupling's
-/// SchillerNaumannDrag. Against `schiller_naumann`, whose Re has alpha_f in it, at alpha_f 0.6 larger by
-/// 4 % at Re 1, 14 % at 10, 35 % at 272; the same at alpha_f 1, but for the plateau, which begins
-/// without a step.
+/// SchillerNaumannDrag. Against `schiller_naumann`, whose Re has alpha_f in it, K is larger at
+/// alpha_f 0.6, by 4 % at Re 1, 14 % at 10 and 35 % at 272; it is the same at alpha_f 1, but for the
+/// plateau, which begins without a step.
 /// Validity: a single sphere, Re < 800 within 5 %.
 /// Source: L. Schiller, A. Naumann, Z. Ver. Dtsch. Ing. 77 (1933) 318.
 /// Tests: tests/forces/drag_test.cpp

@@ -6,13 +6,14 @@
 ///
 /// handed back as added mass m_a = C_vm rho_f V and explicit force m_a Du/Dt, so that the host
 /// solves (m + m_a) dv/dt: taking dv/dt of the last step instead is unstable for light particles.
-/// Symbols: C_vm 1/2 for a sphere [-], V = pi d^3/6 [m^3], Du/Dt acceleration of the fluid along
-/// its own path [m/s^2], dv/dt that of the particle.
+/// Symbols: C_vm 1/2 for a sphere [-], rho_f density of the fluid [kg/m^3], V = pi d^3/6 [m^3], m, m_a
+/// mass of the particle and added mass [kg], Du/Dt acceleration of the fluid along its own path
+/// [m/s^2], dv/dt that of the particle.
 /// Sign: along the fluid's acceleration relative to the particle's.
 /// Model: the same in A and B; the fluid gets -F_vm, which holds the -m_a dv/dt.
 /// Validity: sphere alone; at finite Re as well (J. Magnaudet, M. Rivero, J. Fabre, J. Fluid Mech.
 /// 284 (1995) 97). For metal in gas m_a/m is 1e-4.
-/// Source: T.R. Auton, J.C.R. Hunt, M. Prud'homme, J. Fluid Mech. 197 (1988) 241 (D/Dt, not d/dt
+/// Source: T.R. Auton, J.C.R. Hunt, M. Prud'homme, J. Fluid Mech. 197 (1988) 241 (D/Dt, not the d/dt
 /// along the particle).
 /// Tests: tests/forces/other_forces_test.cpp, foam_cases/added_mass
 #ifdef POWDERLINK_FORCE

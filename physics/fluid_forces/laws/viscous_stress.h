@@ -4,11 +4,12 @@
 ///
 ///   F = V div tau,   tau = mu (grad u + (grad u)^T - 2/3 (div u) 1)
 ///
-/// Symbols: V = pi d^3/6 [m^3], tau viscous stress [Pa].
+/// Symbols: V = pi d^3/6 [m^3], tau viscous stress [Pa], mu viscosity [Pa s], u velocity of the fluid
+/// [m/s].
 /// Sign: that of div tau, the force of the neighbouring fluid on the volume.
 /// Model: A. In B the stress is in the fluid only: F = 0. The fluid gets no reaction, see force.h.
-/// Validity: div tau even over the particle. With `pressure_gradient` this is the force rho_f V
-/// (Du/Dt - g) that the fluid in the particle's place would feel, without its buoyancy.
+/// Validity: div tau even over the particle. With `pressure_gradient` this is the force
+/// rho_f V (Du/Dt - g) that the fluid in the particle's place would feel, without its buoyancy.
 /// Source: Z.Y. Zhou, S.B. Kuang, K.W. Chu, A.B. Yu, J. Fluid Mech. 661 (2010) 482, set II.
 /// Tests: tests/forces/other_forces_test.cpp
 #ifdef POWDERLINK_FORCE

@@ -73,14 +73,14 @@ struct ContactRadiusAtRest {
     e.low = std::exp(mean - half);
     e.high = std::exp(mean + half);
     e.note = fmt::format(
-        "{} grains; a0 is {:.3g} times the bright and {:.3g} times the dark ring of "
-        "a sphere that does not adhere",
+        "{} grains; a0 is {:.3g} times the bright "
+        "and {:.3g} times the dark ring of a sphere that does not adhere",
         list.size(), std::exp(bright), std::exp(dark));
     const auto judge = [&](double log_ratio, const char* ring) {
       if (std::fabs(log_ratio) > std::log1p(kReadingOfRing)) return;
       e.warnings.push_back(fmt::format(
-          "contact radius: a0 agrees with the first {} ring of a sphere that does not adhere, to "
-          "{:.2g} %; this Gamma cannot be told from none unless the rings are corrected for",
+          "contact radius: a0 agrees with the first {} ring of a sphere that does not adhere, "
+          "to {:.2g} %; this Gamma cannot be told from none unless the rings are corrected for",
           ring, 100.0 * std::fabs(std::expm1(log_ratio))));
     };
     judge(bright, "bright");

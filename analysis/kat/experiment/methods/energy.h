@@ -44,9 +44,8 @@ struct Energy {
     e.note = fmt::format("contact's period {:.3g} us", 1e6 * period);
     if (drop.best.contact_time_s && *drop.best.contact_time_s > period) {
       e.warnings.push_back(fmt::format(
-          "energy: the stop of {:.4g} us is {:.3g} times the contact's own period of {:.3g} us, so "
-          "it "
-          "is not instant and this Gamma is far too high",
+          "energy: the stop of {:.4g} us is {:.3g} times the contact's own period of {:.3g} us, "
+          "so it is not instant and this Gamma is far too high",
           1e6 * *drop.best.contact_time_s, *drop.best.contact_time_s / period, 1e6 * period));
     }
     return e;
