@@ -31,7 +31,7 @@ links() {
 }
 
 forces() {
-  local list=coupling/forces/forces.def page=docs/theory_coupling.md header name laws=() rows=()
+  local list=physics/fluid_forces/forces.def page=docs/theory_coupling.md header name laws=() rows=()
   while IFS= read -r header; do
     name=$(sed -nE 's/^POWDERLINK_FORCE\(([a-z0-9_]+),.*/\1/p' "$header" 2>/dev/null || true)
     if [[ -n $name ]]; then

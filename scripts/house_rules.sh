@@ -18,9 +18,9 @@ mapfile -t files < <(scripts/own_files.sh)
 is_law_header() {  # file
   case $1 in
     tests/*) return 1 ;;
-    # What all effects have in common, their catalogue, and the error that all laws throw.
-    */models/effect.h | */models/effect_registry.h | */models/invalid_input.h) return 1 ;;
-    */models/*.h | */forces/laws/*.h) return 0 ;;
+    # What all laws of a kind have in common, and their catalogue.
+    */effect.h | */effect_registry.h | */force.h | */force_registry.h | */states.h | */vec3.h) return 1 ;;
+    physics/*.h) return 0 ;;
   esac
   return 1
 }

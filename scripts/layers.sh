@@ -54,7 +54,7 @@ files() {
 }
 mapfile -t sources < <(files | grep -E '^(base|physics|liggghts_styles|coupling|kat_firmware|analysis)/.*\.(h|H|C|cpp|def|ino)$')
 
-# A bare name is that of a file beside, or of one of OpenFOAM's style, found by its name alone.
+# A bare name is that of a file beside; one of OpenFOAM's style (.H) is found by its name alone.
 while IFS= read -r line; do
   broken "${line%%;*}" "${line#*;}" "the folders in $table" \
     "turn the dependency round, move what both need into a lower folder, or change the table with a reason"
@@ -81,7 +81,14 @@ done < <(printf '%s\n' "${sources[@]}" | awk -F ' *[|] *' -v table="$table" '
     }
     close(table)
   }
-  { known[$0] = 1; name = $0; sub(/.*\//, "", name); by_name[name] = $0 == "" ? "" : (name in by_name ? "two" : $0) }
+  {
+    known[$0] = 1
+    name = $0
+    sub(/.*\//, "", name)
+    if (name !~ /\.H$/) next
+    if (name in by_name) by_name[name] = "two"
+    else by_name[name] = $0
+  }
   END {
     for (file in known) {
       from = layer(file)

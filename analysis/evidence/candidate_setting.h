@@ -19,7 +19,7 @@ namespace powderlink::analysis {
 inline constexpr const char* kEnergy = "adhesive_energy_J_m2";
 
 /// Upper end of the plausible range of the adhesive energy: dry solids do not go beyond it. It stands
-/// here because Gamma is no parameter of an effect and so has no line in models/effects.def.
+/// here because Gamma is no parameter of an effect and so has no line in physics/effects/effects.def.
 inline constexpr double kPlausibleEnergy_J_m2 = 10.0;
 
 /// Where a fitted value goes.

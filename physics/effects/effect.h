@@ -5,7 +5,7 @@
 /// The baseline is JKR with a constant Gamma, an instant stop, from equilibrium. An effect is one
 /// physical mechanism that the baseline leaves out. It overrides the hooks that it needs; the DEM
 /// styles and the reduced model call the same hooks, so both speak of the same physics.
-/// To add one: a header in models/effects/ and a line in physics/effects/effects.def (CONTRIBUTING.md).
+/// To add one: a header in physics/effects/laws/ and a line in physics/effects/effects.def (CONTRIBUTING.md).
 #pragma once
 
 #include <limits>

@@ -9,7 +9,7 @@
 /// Sign: forces and potentials of attractions are 0 or negative.
 /// A bridge is an attraction that a touch must form (Effect::formed_by_touch).
 /// Validity: each attraction only falls with the gap.
-/// Source: energy conservation; the laws are those of models/effects/.
+/// Source: energy conservation; the laws are those of physics/effects/laws/.
 /// Tests: tests/analysis/reduced_model_test.cpp, tests/host/kat_drop_test.cpp
 #pragma once
 

@@ -37,7 +37,7 @@ inline const ForceEntry& find_force(const std::string& name) {
     if (e.info->name == name) return e;
     names += (names.empty() ? "" : ", ") + e.info->name;
   }
-  throw InvalidInput("force", "'" + name + "'", names, "see the list of forces in the user guide");
+  throw InvalidInput("force", "'" + name + "'", names, "see docs/theory_coupling.md#forces");
 }
 
 inline std::unique_ptr<Force> make_force(const std::string& name,
