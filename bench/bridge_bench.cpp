@@ -13,8 +13,8 @@
 #include <functional>
 #include <string>
 
-#include "coupling/bridge/transport/mpi_transport.h"
 #include "coupling/bridge/exchange/particle_exchange.h"
+#include "coupling/bridge/transport/mpi_transport.h"
 #include "coupling/bridge/transport/session.h"
 #include "coupling/bridge/transport/socket_transport.h"
 

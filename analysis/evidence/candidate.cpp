@@ -14,8 +14,8 @@
 #include "analysis/evidence/candidate_setting.h"
 #include "analysis/evidence/candidate_solve.h"
 #include "analysis/evidence/candidate_starts.h"
-#include "base/statistics/fit_uncertainty.h"
 #include "analysis/evidence/residual_checks.h"
+#include "base/statistics/fit_uncertainty.h"
 
 namespace powderlink::analysis {
 

@@ -22,9 +22,9 @@
 #include <string>
 #include <vector>
 
-#include "base/statistics/least_squares.h"
 #include "analysis/evidence/observation.h"
 #include "analysis/evidence/quantity_error.h"
+#include "base/statistics/least_squares.h"
 #include "base/statistics/trends.h"
 
 namespace powderlink::analysis {

@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "base/statistics/least_squares.h"
 #include "analysis/evidence/observation.h"
+#include "base/statistics/least_squares.h"
 
 namespace powderlink::analysis {
 

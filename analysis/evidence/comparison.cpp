@@ -8,11 +8,11 @@
 #include <cmath>
 #include <limits>
 
-#include "analysis/kat/reduced/critical_diameter.h"
 #include "analysis/evidence/candidate_parameters.h"
 #include "analysis/evidence/diagnosis.h"
 #include "analysis/evidence/quantity.h"
 #include "analysis/evidence/residual_checks.h"
+#include "analysis/kat/reduced/critical_diameter.h"
 
 namespace powderlink::analysis {
 

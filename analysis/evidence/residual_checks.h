@@ -17,8 +17,8 @@
 
 #include <vector>
 
-#include "base/statistics/least_squares.h"
 #include "analysis/evidence/observation.h"
+#include "base/statistics/least_squares.h"
 #include "base/statistics/trends.h"
 
 namespace powderlink::analysis {

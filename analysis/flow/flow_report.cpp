@@ -9,10 +9,10 @@
 #include <nlohmann/json.hpp>
 #include <tuple>
 
-#include "analysis/flow/run/flow_channel.h"
-#include "analysis/flow/observables/flow_observables.h"
-#include "analysis/flow/run/particle_clock.h"
 #include "analysis/flow/foam/foam_files.h"
+#include "analysis/flow/observables/flow_observables.h"
+#include "analysis/flow/run/flow_channel.h"
+#include "analysis/flow/run/particle_clock.h"
 #include "base/invalid_input.h"
 
 namespace powderlink::analysis {

@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "analysis/flow/observables/flow_observable.h"
-#include "analysis/flow/run/flow_statistics.h"
 #include "analysis/flow/observables/moving_average.h"
+#include "analysis/flow/run/flow_statistics.h"
 #include "analysis/flow/run/pressure_profile.h"
 #include "analysis/flow/run/solver_log.h"
 

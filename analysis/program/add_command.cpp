@@ -6,12 +6,12 @@
 #include <algorithm>
 #include <memory>
 
-#include "analysis/program/commands.h"
-#include "analysis/kat/reduced/critical_diameter.h"
 #include "analysis/evidence/added_effects.h"
 #include "analysis/evidence/study_text.h"
 #include "analysis/evidence/verdict_words.h"
 #include "analysis/kat/dem/drop_script.h"
+#include "analysis/kat/reduced/critical_diameter.h"
+#include "analysis/program/commands.h"
 #include "base/files/write_file.h"
 #include "physics/effects/effect_registry.h"
 

@@ -7,15 +7,15 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "analysis/program/commands.h"
 #include "analysis/evidence/comparison.h"
 #include "analysis/evidence/dem_prediction.h"
 #include "analysis/evidence/evidence_json.h"
 #include "analysis/evidence/quantity.h"
 #include "analysis/kat/dem/drop_run.h"
+#include "analysis/program/commands.h"
+#include "base/files/write_file.h"
 #include "base/text/text_table.h"
 #include "base/text/units.h"
-#include "base/files/write_file.h"
 
 namespace powderlink::analysis {
 

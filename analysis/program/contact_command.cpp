@@ -7,11 +7,11 @@
 #include <optional>
 
 #include "analysis/kat/study/checks.h"
-#include "analysis/program/commands.h"
-#include "analysis/kat/theory/softened_contact.h"
 #include "analysis/kat/study/study_material.h"
-#include "base/text/text_table.h"
+#include "analysis/kat/theory/softened_contact.h"
+#include "analysis/program/commands.h"
 #include "base/files/write_file.h"
+#include "base/text/text_table.h"
 
 namespace powderlink::analysis {
 

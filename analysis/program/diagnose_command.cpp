@@ -6,12 +6,12 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "analysis/program/commands.h"
 #include "analysis/evidence/diagnosis.h"
 #include "analysis/evidence/evidence_json.h"
 #include "analysis/evidence/verdict_words.h"
-#include "base/text/text_table.h"
+#include "analysis/program/commands.h"
 #include "base/files/write_file.h"
+#include "base/text/text_table.h"
 
 namespace powderlink::analysis {
 

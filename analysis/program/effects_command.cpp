@@ -7,9 +7,9 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/program/commands.h"
+#include "base/files/write_file.h"
 #include "base/text/text_table.h"
 #include "base/text/units.h"
-#include "base/files/write_file.h"
 #include "physics/effects/effect_registry.h"
 
 namespace powderlink::analysis {

@@ -8,12 +8,12 @@
 #include <cstdio>
 #include <memory>
 
-#include "analysis/program/commands.h"
 #include "analysis/flow/flow_figures.h"
 #include "analysis/flow/flow_report.h"
-#include "base/text/text_table.h"
+#include "analysis/program/commands.h"
 #include "base/files/write_file.h"
 #include "base/invalid_input.h"
+#include "base/text/text_table.h"
 
 namespace powderlink::analysis {
 

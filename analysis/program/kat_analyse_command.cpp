@@ -4,16 +4,16 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
-#include "analysis/kat/study/checks.h"
-#include "analysis/program/commands.h"
-#include "analysis/program/segmentation_options.h"
 #include "analysis/kat/experiment/contact_radii.h"
 #include "analysis/kat/experiment/drop_study.h"
 #include "analysis/kat/experiment/grain_files.h"
 #include "analysis/kat/experiment/kat_analysis_figures.h"
 #include "analysis/kat/experiment/kat_analysis_output.h"
-#include "analysis/sizes/pictures/grain_source.h"
+#include "analysis/kat/study/checks.h"
 #include "analysis/kat/study/study_material.h"
+#include "analysis/program/commands.h"
+#include "analysis/program/segmentation_options.h"
+#include "analysis/sizes/pictures/grain_source.h"
 #include "base/files/write_file.h"
 
 namespace powderlink::analysis {

@@ -7,12 +7,12 @@
 #include <memory>
 #include <optional>
 
-#include "analysis/program/commands.h"
-#include "base/files/file_patterns.h"
 #include "analysis/kat/device/device_rows.h"
 #include "analysis/kat/device/device_session.h"
 #include "analysis/kat/device/session_log.h"
 #include "analysis/kat/study/study_material.h"
+#include "analysis/program/commands.h"
+#include "base/files/file_patterns.h"
 #include "base/files/write_file.h"
 #include "base/invalid_input.h"
 

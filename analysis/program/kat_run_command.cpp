@@ -7,13 +7,13 @@
 #include <memory>
 #include <thread>
 
-#include "analysis/kat/study/checks.h"
-#include "analysis/program/commands.h"
 #include "analysis/evidence/study_fit.h"
 #include "analysis/kat/dem/kat_output.h"
 #include "analysis/kat/dem/kat_runner.h"
-#include "base/process/progress.h"
+#include "analysis/kat/study/checks.h"
+#include "analysis/program/commands.h"
 #include "base/files/write_file.h"
+#include "base/process/progress.h"
 
 namespace powderlink::analysis {
 

@@ -6,11 +6,11 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/kat/study/checks.h"
-#include "analysis/program/commands.h"
-#include "analysis/kat/theory/kat_theory_report.h"
 #include "analysis/kat/study/study_material.h"
-#include "base/text/text_table.h"
+#include "analysis/kat/theory/kat_theory_report.h"
+#include "analysis/program/commands.h"
 #include "base/files/write_file.h"
+#include "base/text/text_table.h"
 
 namespace powderlink::analysis {
 

@@ -7,13 +7,13 @@
 
 #include "analysis/program/commands.h"
 #include "analysis/program/segmentation_options.h"
-#include "base/files/file_patterns.h"
 #include "analysis/sizes/pictures/powder_inputs.h"
 #include "analysis/sizes/pictures/psd_figures.h"
 #include "analysis/sizes/pictures/psd_report.h"
-#include "base/text/text_table.h"
+#include "base/files/file_patterns.h"
 #include "base/files/write_file.h"
 #include "base/invalid_input.h"
+#include "base/text/text_table.h"
 
 namespace powderlink::analysis {
 

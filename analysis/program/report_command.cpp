@@ -9,9 +9,9 @@
 #include <memory>
 
 #include "analysis/program/commands.h"
-#include "base/gnuplot/gnuplot.h"
 #include "analysis/report/report_page.h"
 #include "base/files/write_file.h"
+#include "base/gnuplot/gnuplot.h"
 #include "base/invalid_input.h"
 
 namespace powderlink::analysis {

@@ -5,9 +5,9 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "analysis/program/commands.h"
 #include "analysis/flow/restart/checkpoints.h"
 #include "analysis/flow/restart/prepare.h"
+#include "analysis/program/commands.h"
 #include "base/files/write_file.h"
 
 namespace powderlink::analysis {

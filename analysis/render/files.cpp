@@ -6,11 +6,10 @@
 #include <vtkPolyData.h>
 #include <vtkXMLPolyDataWriter.h>
 
-#include <fstream>
-#include <sstream>
 #include <system_error>
 #include <utility>
 
+#include "base/files/write_file.h"
 #include "base/invalid_input.h"
 
 namespace powderlink::render {
@@ -30,27 +29,6 @@ fs::path beside(const fs::path& path) {
 
 }  // namespace
 
-void write_file(const fs::path& path, const std::string& content) {
-  const fs::path staging = beside(path);
-  {
-    std::ofstream out(staging, std::ios::binary);
-    out << content;
-    out.close();
-    if (!out) {
-      std::error_code ignored;
-      fs::remove(staging, ignored);
-      cannot_write(path, "the file could not be opened or filled");
-    }
-  }
-  std::error_code error;
-  fs::rename(staging, path, error);
-  if (error) {
-    std::error_code ignored;
-    fs::remove(staging, ignored);
-    cannot_write(path, error.message());
-  }
-}
-
 void write_vtp(const fs::path& path, vtkPolyData* data) {
   vtkNew<vtkXMLPolyDataWriter> writer;
   writer->SetInputData(data);
@@ -58,17 +36,6 @@ void write_vtp(const fs::path& path, vtkPolyData* data) {
   writer->WriteToOutputStringOn();
   if (writer->Write() == 0) cannot_write(path, "VTK could not encode the data");
   write_file(path, writer->GetOutputString());
-}
-
-std::string file_text(const fs::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  std::ostringstream text;
-  text << in.rdbuf();
-  if (!in) {
-    throw InvalidInput("reading " + path.string(), "a file that cannot be opened",
-                       "a file that exists and may be read", "check its name and rights");
-  }
-  return text.str();
 }
 
 StagedFolder::StagedFolder(fs::path final_path)

@@ -5,20 +5,13 @@
 #pragma once
 
 #include <filesystem>
-#include <string>
 
 class vtkPolyData;
 
 namespace powderlink::render {
 
-/// Writes `content` to `path`; an earlier file there stays untouched until the new one is complete.
-void write_file(const std::filesystem::path& path, const std::string& content);
-
 /// Writes a binary .vtp that ParaView opens.
 void write_vtp(const std::filesystem::path& path, vtkPolyData* data);
-
-/// The whole of a text file.
-std::string file_text(const std::filesystem::path& path);
 
 /// A folder that takes its final name only by publish(); otherwise it vanishes with its contents.
 class StagedFolder {

@@ -23,7 +23,7 @@
 #include <cmath>
 
 #include "analysis/flow/run/particle_clock.h"
-#include "analysis/render/files.h"
+#include "base/files/write_file.h"
 #include "base/invalid_input.h"
 
 namespace powderlink::render {

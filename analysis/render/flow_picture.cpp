@@ -24,13 +24,13 @@
 #include <vector>
 
 #include "analysis/flow/run/flow_channel.h"
-#include "analysis/render/files.h"
 #include "analysis/render/flow_case.h"
 #include "analysis/render/gl_context.h"
 #include "analysis/render/legend.h"
 #include "analysis/render/palette.h"
 #include "analysis/render/png.h"
 #include "analysis/render/text.h"
+#include "base/files/write_file.h"
 #include "base/invalid_input.h"
 
 namespace powderlink::render {

@@ -10,6 +10,7 @@
 #include "analysis/render/files.h"
 #include "analysis/render/flow_case.h"
 #include "analysis/render/pvd.h"
+#include "base/files/write_file.h"
 
 namespace powderlink::render {
 

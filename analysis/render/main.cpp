@@ -13,13 +13,13 @@
 #include <optional>
 #include <string>
 
-#include "analysis/render/files.h"
 #include "analysis/render/flow_picture.h"
 #include "analysis/render/flow_series.h"
 #include "analysis/render/picture.h"
 #include "analysis/render/residual_table.h"
 #include "analysis/render/run_directory.h"
 #include "analysis/render/series.h"
+#include "base/files/write_file.h"
 
 namespace {
 

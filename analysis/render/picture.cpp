@@ -10,12 +10,12 @@
 #include <cmath>
 #include <vector>
 
-#include "analysis/render/files.h"
 #include "analysis/render/frame_choice.h"
 #include "analysis/render/gl_context.h"
 #include "analysis/render/legend.h"
 #include "analysis/render/png.h"
 #include "analysis/render/scene.h"
+#include "base/files/write_file.h"
 #include "base/invalid_input.h"
 
 namespace powderlink::render {

@@ -2,13 +2,11 @@
 #include "analysis/render/run_directory.h"
 
 #include <algorithm>
-#include <cmath>
-#include <nlohmann/json.hpp>
 #include <regex>
 #include <string>
 
-#include "analysis/render/files.h"
 #include "base/invalid_input.h"
+#include "liggghts_styles/kat_drop/kat_results.h"
 
 namespace powderlink::render {
 namespace fs = std::filesystem;
@@ -28,43 +26,19 @@ std::vector<DumpFile> list_dumps(const fs::path& folder, const std::regex& name)
   return found;
 }
 
-/// A positive number, or nothing when the key is absent or null.
-std::optional<double> positive(const nlohmann::json& object, const char* key,
-                               const fs::path& file) {
-  if (!object.contains(key) || object[key].is_null()) return {};
-  const bool is_number = object[key].is_number();
-  const double value = is_number ? object[key].get<double>() : 0.0;
-  if (!is_number || !(value > 0.0) || !std::isfinite(value)) {
-    throw InvalidInput("reading " + file.string() + ": " + key, object[key].dump(),
-                       "a number above 0", "run the drop test again or correct the value");
-  }
-  return value;
-}
-
 }  // namespace
 
 RunResults read_results(const fs::path& run) {
   RunResults results;
   const fs::path file = run / "kat_results.json";
   if (!fs::exists(file)) return results;
-  try {
-    const auto json = nlohmann::json::parse(file_text(file));
-    results.critical_diameter_m = positive(json, "critical_diameter_m", file);
-    results.impact_velocity_m_s = positive(json, "impact_velocity_m_s", file);
-    results.time_step_s = positive(json, "time_step_s", file);
-    for (const auto& item : json.value("particles", nlohmann::json::array())) {
-      const auto& flag = item.at("attached");
-      const bool attached = flag.is_boolean() ? flag.get<bool>() : flag.get<double>() != 0.0;
-      const auto& speed = item.at("speed_m_s");
-      results.particles.push_back({item.at("diameter_m").get<double>(), attached,
-                                   speed.is_null() ? 0.0 : speed.get<double>()});
-    }
-  } catch (const nlohmann::json::exception& error) {
-    throw InvalidInput("reading " + file.string(), error.what(),
-                       "JSON with critical_diameter_m, impact_velocity_m_s, time_step_s "
-                       "and particles (each with diameter_m, attached, speed_m_s)",
-                       "run the drop test again");
-  }
+  const host::KatResults read = host::read_kat_results(file);
+  const auto known = [](double value) { return value > 0.0 ? std::optional(value) : std::nullopt; };
+  results.critical_diameter_m = known(read.critical_diameter_m);
+  results.impact_velocity_m_s = known(read.impact_velocity_m_s);
+  results.time_step_s = known(read.time_step_s);
+  for (const host::KatGrainResult& g : read.grains)
+    results.particles.push_back({g.diameter_m, g.attached > 0.0, g.speed_m_s});
   return results;
 }
 

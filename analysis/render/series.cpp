@@ -10,6 +10,7 @@
 #include "analysis/render/particle_frame.h"
 #include "analysis/render/plate.h"
 #include "analysis/render/pvd.h"
+#include "base/files/write_file.h"
 
 namespace powderlink::render {
 SeriesFiles write_series(const RunDirectory& run, const std::string& fix,

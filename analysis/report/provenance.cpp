@@ -11,6 +11,7 @@
 
 #include "analysis/build_commit.h"
 #include "base/files/file_text.h"
+#include "base/files/sha1.h"
 #include "base/process/child_process.h"
 
 namespace powderlink::analysis {
@@ -29,7 +30,7 @@ std::string package_version(const std::string& package) {
   try {
     const ChildOutcome outcome = run_child({"dpkg-query", "-W", "-f", "${Version}", package},
                                            fs::temp_directory_path(), answer, kLimit_s);
-    if (outcome.exit_status == 0 && !outcome.over_time) text = file_text(answer);
+    if (outcome.exit_status == 0 && !outcome.over_time) text = file_text_or_empty(answer);
   } catch (const std::exception&) {  // no dpkg: another system
     text.clear();
   }
@@ -39,7 +40,7 @@ std::string package_version(const std::string& package) {
 }
 
 std::string command_line() {
-  std::string line = file_text("/proc/self/cmdline");
+  std::string line = file_text_or_empty("/proc/self/cmdline");
   while (!line.empty() && line.back() == '\0') line.pop_back();
   std::replace(line.begin(), line.end(), '\0', ' ');
   return line;

@@ -13,12 +13,12 @@
 
 #include "analysis/evidence/quantity.h"
 #include "analysis/evidence/verdict_words.h"
-#include "base/gnuplot/gnuplot.h"
 #include "analysis/report/column_title.h"
 #include "analysis/report/report_words.h"
 #include "analysis/report/typeset.h"
 #include "analysis/report/value_range.h"
 #include "base/files/write_file.h"
+#include "base/gnuplot/gnuplot.h"
 
 namespace powderlink::analysis {
 

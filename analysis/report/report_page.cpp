@@ -11,13 +11,13 @@
 #include "analysis/evidence/quantity.h"
 #include "analysis/evidence/residual_checks.h"
 #include "analysis/evidence/verdict_words.h"
-#include "base/files/file_text.h"
 #include "analysis/report/column_title.h"
 #include "analysis/report/inline_svg.h"
 #include "analysis/report/report_words.h"
 #include "analysis/report/typeset.h"
-#include "base/text/units.h"
+#include "base/files/file_text.h"
 #include "base/invalid_input.h"
+#include "base/text/units.h"
 
 namespace powderlink::analysis {
 

@@ -6,12 +6,12 @@
 #include <algorithm>
 #include <boost/algorithm/string/predicate.hpp>
 
-#include "base/csv/csv_number.h"
 #include "analysis/sizes/imagej_perimeter.h"
 #include "analysis/sizes/particle_columns.h"
 #include "analysis/sizes/table_doubts.h"
-#include "base/text/text_encoding.h"
+#include "base/csv/csv_number.h"
 #include "base/invalid_input.h"
+#include "base/text/text_encoding.h"
 
 namespace powderlink::analysis {
 

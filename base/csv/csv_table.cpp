@@ -11,8 +11,8 @@
 #include "base/csv/csv_dialect.h"
 #include "base/csv/csv_record.h"
 #include "base/csv/csv_units.h"
-#include "base/text/text_encoding.h"
 #include "base/invalid_input.h"
+#include "base/text/text_encoding.h"
 
 namespace powderlink {
 

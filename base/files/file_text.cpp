@@ -1,28 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "base/files/file_text.h"
 
-#include <fmt/format.h>
-
-#include <boost/uuid/detail/sha1.hpp>
 #include <fstream>
 #include <sstream>
 
+#include "base/invalid_input.h"
+
 namespace powderlink {
 
-std::string file_text(const std::filesystem::path& file) {
+std::string file_text_or_empty(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
   std::ostringstream text;
   text << in.rdbuf();
   return text.str();
 }
 
-std::string sha1(const std::string& text) {
-  boost::uuids::detail::sha1 hash;
-  hash.process_bytes(text.data(), text.size());
-  boost::uuids::detail::sha1::digest_type digest;
-  hash.get_digest(digest);
-  return fmt::format("{:08x}{:08x}{:08x}{:08x}{:08x}", digest[0], digest[1], digest[2], digest[3],
-                     digest[4]);
+std::string file_text(const std::filesystem::path& file) {
+  if (!std::ifstream(file, std::ios::binary) || std::filesystem::is_directory(file)) {
+    throw InvalidInput("reading " + file.string(), "a file that cannot be opened",
+                       "a file that exists and may be read", "check its name and rights");
+  }
+  return file_text_or_empty(file);
 }
 
 }  // namespace powderlink

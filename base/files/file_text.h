@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file file_text.h
-/// The whole content of a file, and its fingerprint.
-/// Tests: tests/report/gnuplot_test.cpp
+/// The whole content of a file.
+/// Tests: tests/report/gnuplot_test.cpp, tests/render/bad_input_test.cpp
 #pragma once
 
 #include <filesystem>
@@ -9,10 +9,10 @@
 
 namespace powderlink {
 
-/// Empty when the file is absent or cannot be read.
+/// Throws InvalidInput for a file that is absent or cannot be read.
 std::string file_text(const std::filesystem::path& file);
 
-/// 40 hexadecimal digits, as `sha1sum` prints them.
-std::string sha1(const std::string& text);
+/// For files that may be absent: empty then, and when they cannot be read.
+std::string file_text_or_empty(const std::filesystem::path& file);
 
 }  // namespace powderlink

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file write_file.h
 /// Results appear whole or not at all: written beside, then renamed.
-/// Tests: tests/analysis/commands_test.cpp
+/// Tests: tests/analysis/commands_test.cpp, tests/kat_drop/kat_results_test.cpp, tests/render/bad_input_test.cpp
 #pragma once
 
 #include <filesystem>
@@ -9,8 +9,10 @@
 
 namespace powderlink {
 
-/// Throws InvalidInput when the folder does not exist or cannot be written; an older file stays.
-void write_file(const std::filesystem::path& file, const std::string& content);
+/// \param what  the file is, for the message
+/// Throws InvalidInput when the folder does not exist, cannot be written or is full; an older file stays.
+void write_file(const std::filesystem::path& file, const std::string& content,
+                const std::string& what = "writing a file");
 
 /// For long jobs: throws now what write_file() would throw at their end for a folder that is
 /// absent.

@@ -9,9 +9,9 @@
 #include <sstream>
 
 #include "base/files/file_text.h"
-#include "base/process/child_process.h"
 #include "base/files/write_file.h"
 #include "base/invalid_input.h"
+#include "base/process/child_process.h"
 
 namespace powderlink {
 
@@ -105,7 +105,7 @@ void draw_figure(const fs::path& svg, const std::string& script, const std::stri
                 drafts.path(), messages, kLimit_s);
   if (outcome.exit_status != 0 || outcome.over_time || !fs::is_regular_file(draft)) {
     const fs::path kept = svg.string() + ".messages";
-    write_file(kept, file_text(messages));
+    write_file(kept, file_text_or_empty(messages));
     throw InvalidInput("drawing " + svg.filename().string(),
                        "gnuplot could not; its messages are in " + kept.string(),
                        "tables that gnuplot can draw", "look at the table, or " + instead);

@@ -10,8 +10,8 @@
 #include <utility>
 
 #include "base/files/file_text.h"
-#include "base/text/text_encoding.h"
 #include "base/invalid_input.h"
+#include "base/text/text_encoding.h"
 
 namespace powderlink {
 

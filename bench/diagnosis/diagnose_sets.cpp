@@ -14,10 +14,10 @@
 #include <set>
 #include <thread>
 
-#include "base/csv/csv_table.h"
 #include "analysis/evidence/diagnosis.h"
-#include "base/text/text_table.h"
+#include "base/csv/csv_table.h"
 #include "base/files/write_file.h"
+#include "base/text/text_table.h"
 
 namespace {
 

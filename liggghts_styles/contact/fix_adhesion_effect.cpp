@@ -5,8 +5,8 @@
 
 #include "force.h"
 #include "liggghts_styles/host/stop_all.h"
-#include "physics/effects/effect_registry.h"
 #include "modify.h"
+#include "physics/effects/effect_registry.h"
 
 namespace powderlink::host {
 

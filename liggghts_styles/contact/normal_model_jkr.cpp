@@ -6,10 +6,10 @@
 
 #include "compute_pair_gran_local.h"
 
+#include "base/invalid_input.h"
 #include "liggghts_styles/contact/fix_adhesion_effect.h"
 #include "liggghts_styles/host/private_access.h"
 #include "liggghts_styles/host/stop_all.h"
-#include "base/invalid_input.h"
 
 POWDERLINK_PRIVATE_MEMBER(MeshPrecision, LAMMPS_NS::FixMesh, precision_, double)
 

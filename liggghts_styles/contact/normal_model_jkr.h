@@ -16,9 +16,9 @@
 #include <vector>
 
 #include "liggghts_styles/host/liggghts_headers.h"
-#include "physics/effects/adhesive_contact.h"
 #include "physics/contact/friction_load.h"
 #include "physics/contact/normal_damping.h"
+#include "physics/effects/adhesive_contact.h"
 
 namespace powderlink::host {
 

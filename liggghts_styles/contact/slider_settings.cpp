@@ -5,9 +5,9 @@
 #include <limits>
 #include <string>
 
+#include "base/invalid_input.h"
 #include "liggghts_styles/host/liggghts_headers.h"
 #include "liggghts_styles/host/stop_all.h"
-#include "base/invalid_input.h"
 
 namespace powderlink::host {
 

@@ -11,11 +11,11 @@
 #include "atom.h"
 #include "update.h"
 
+#include "base/invalid_input.h"
 #include "liggghts_styles/couple_bridge/coupled_world.h"
 #include "liggghts_styles/couple_bridge/fluid_relaxation.h"
 #include "liggghts_styles/host/massflow_state.h"
 #include "liggghts_styles/host/stop_all.h"
-#include "base/invalid_input.h"
 
 namespace powderlink::host {
 

@@ -15,10 +15,10 @@
 #include "signal_handling.h"
 #include "update.h"
 
+#include "base/invalid_input.h"
 #include "coupling/bridge/exchange/coupling_fields.h"
 #include "liggghts_styles/couple_bridge/coupled_world.h"
 #include "liggghts_styles/couple_bridge/fix_couple_bridge.h"
-#include "base/invalid_input.h"
 
 namespace powderlink::host {
 

@@ -15,8 +15,8 @@
 #include "modify.h"
 #include "region.h"
 
-#include "liggghts_styles/host/private_access.h"
 #include "base/invalid_input.h"
+#include "liggghts_styles/host/private_access.h"
 
 POWDERLINK_PRIVATE_MEMBER(SetForceX, LAMMPS_NS::FixSetForce, xstyle, int)
 POWDERLINK_PRIVATE_MEMBER(SetForceY, LAMMPS_NS::FixSetForce, ystyle, int)

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "liggghts_styles/kat_drop/fix_kat_drop.h"
 #include "liggghts_styles/host/liggghts_headers.h"
+#include "liggghts_styles/kat_drop/fix_kat_drop.h"
 
+#include "base/invalid_input.h"
 #include "liggghts_styles/contact/fix_adhesion_effect.h"
 #include "liggghts_styles/host/stop_all.h"
-#include "base/invalid_input.h"
 #include "physics/kat/kat_theory.h"
 
 namespace powderlink::host {
@@ -108,12 +108,14 @@ void FixKatDrop::init() {
   for (int t = 1; t <= atom->ntypes; ++t) {
     laws_[t] = physics::AdhesiveContact(
         physics::JkrLaw(physics::effective_youngs_modulus_Pa(material(t), material(plate)),
-                       pair_property("workOfAdhesion", t, plate)),
+                        pair_property("workOfAdhesion", t, plate)),
         effects);
   }
 }
 
-physics::JkrLaw FixKatDrop::law_of(int type, double radius) const { return laws_[type].law(radius); }
+physics::JkrLaw FixKatDrop::law_of(int type, double radius) const {
+  return laws_[type].law(radius);
+}
 
 double FixKatDrop::gap_m(int i) const {
   return (atom->x[i][options_.axis] - plate_position_) * options_.direction - atom->radius[i];

@@ -38,9 +38,9 @@
 #include "fix.h"
 #include "liggghts_styles/kat_drop/kat_drop_options.h"
 #include "liggghts_styles/kat_drop/plate_contacts.h"
+#include "physics/contact/material.h"
 #include "physics/effects/adhesive_contact.h"
 #include "physics/effects/gap_forces.h"
-#include "physics/contact/material.h"
 
 namespace powderlink::host {
 

@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "liggghts_styles/kat_drop/fix_kat_drop.h"
 #include "liggghts_styles/host/liggghts_headers.h"
+#include "liggghts_styles/kat_drop/fix_kat_drop.h"
 
+#include "liggghts_styles/kat_drop/kat_gather.h"
 #include "liggghts_styles/kat_drop/kat_results.h"
 
 namespace powderlink::host {

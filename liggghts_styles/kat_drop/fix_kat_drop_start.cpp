@@ -3,17 +3,17 @@
 #include <algorithm>
 #include <cmath>
 
-#include "liggghts_styles/kat_drop/fix_kat_drop.h"
 #include "liggghts_styles/host/liggghts_headers.h"
+#include "liggghts_styles/kat_drop/fix_kat_drop.h"
 
 #include "domain.h"
 #include "input.h"
 #include "neigh_list.h"
 
-#include "liggghts_styles/kat_drop/kat_population.h"
 #include "base/invalid_input.h"
-#include "physics/kat/kat_theory.h"
+#include "liggghts_styles/kat_drop/kat_population.h"
 #include "physics/contact/rayleigh_time.h"
+#include "physics/kat/kat_theory.h"
 
 namespace powderlink::host {
 

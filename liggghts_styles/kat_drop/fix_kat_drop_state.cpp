@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cstring>
 
-#include "liggghts_styles/kat_drop/fix_kat_drop.h"
 #include "liggghts_styles/host/liggghts_headers.h"
+#include "liggghts_styles/kat_drop/fix_kat_drop.h"
 
 namespace powderlink::host {
 

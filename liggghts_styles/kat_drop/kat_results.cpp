@@ -1,33 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "liggghts_styles/kat_drop/kat_results.h"
 
-#include <algorithm>
-#include <cstdio>
-#include <fstream>
+#include <cmath>
 
 #include <nlohmann/json.hpp>
 
+#include "base/files/file_text.h"
+#include "base/files/write_file.h"
 #include "base/invalid_input.h"
 
 namespace powderlink::host {
-
-std::vector<KatGrainResult> gather(const std::vector<KatGrainResult>& mine, MPI_Comm world) {
-  constexpr int width = sizeof(KatGrainResult) / sizeof(double);
-  int rank = 0, ranks = 1;
-  MPI_Comm_rank(world, &rank);
-  MPI_Comm_size(world, &ranks);
-  const int count = static_cast<int>(mine.size()) * width;
-  std::vector<int> counts(ranks), offsets(ranks);
-  MPI_Gather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, 0, world);
-  for (int r = 1; r < ranks; ++r) offsets[r] = offsets[r - 1] + counts[r - 1];
-  std::vector<KatGrainResult> all;
-  if (rank == 0) all.resize((offsets.back() + counts.back()) / width);
-  MPI_Gatherv(mine.data(), count, MPI_DOUBLE, all.data(), counts.data(), offsets.data(), MPI_DOUBLE,
-              0, world);
-  std::sort(all.begin(), all.end(),
-            [](const KatGrainResult& a, const KatGrainResult& b) { return a.id < b.id; });
-  return all;
-}
 
 void write(const KatResults& r, const std::string& file) {
   using nlohmann::json;
@@ -54,15 +36,54 @@ void write(const KatResults& r, const std::string& file) {
                          {"impact_step", r.impact_step},
                          {"time_step_s", r.time_step_s},
                          {"particles", grains}};
-  const std::string beside = file + ".part";
-  std::ofstream out(beside);
-  out << document.dump(1) << '\n';
-  out.close();
-  if (!out || std::rename(beside.c_str(), file.c_str()) != 0) {
-    std::remove(beside.c_str());
-    throw InvalidInput("results file", file, "a file in a writable folder with room on the disk",
-                       "check the folder and free space");
+  write_file(file, document.dump(1) + '\n', "results file");
+}
+
+namespace {
+
+/// 0 when the key is absent or null.
+double positive(const nlohmann::json& object, const char* key, const std::filesystem::path& file) {
+  if (!object.contains(key) || object[key].is_null()) return 0.0;
+  const bool is_number = object[key].is_number();
+  const double value = is_number ? object[key].get<double>() : 0.0;
+  if (!is_number || !(value > 0.0) || !std::isfinite(value)) {
+    throw InvalidInput("reading " + file.string() + ": " + key, object[key].dump(),
+                       "a number above 0", "run the drop test again or correct the value");
   }
+  return value;
+}
+
+}  // namespace
+
+KatResults read_kat_results(const std::filesystem::path& file) {
+  KatResults r;
+  try {
+    const auto j = nlohmann::json::parse(file_text(file));
+    r.impact_velocity_m_s = positive(j, "impact_velocity_m_s", file);
+    r.critical_diameter_m = positive(j, "critical_diameter_m", file);
+    r.largest_attached_m = positive(j, "largest_attached_m", file);
+    r.smallest_detached_m = positive(j, "smallest_detached_m", file);
+    r.time_step_s = positive(j, "time_step_s", file);
+    r.out_of_order = j.value("out_of_order", 0L);
+    r.steps = j.value("steps", 0L);
+    r.impact_step = j.value("impact_step", 0L);
+    for (const auto& p : j.value("particles", nlohmann::json::array())) {
+      const auto& attached = p.at("attached");
+      const auto& speed = p.at("speed_m_s");
+      r.grains.push_back(
+          {p.value("id", 0.0), p.at("diameter_m").get<double>(),
+           attached.is_boolean() ? double(attached.get<bool>()) : attached.get<double>(),
+           speed.is_null() ? 0.0 : speed.get<double>(), p.value("balance", 0.0),
+           p.value("momentum_balance", 0.0)});
+    }
+  } catch (const nlohmann::json::exception& error) {
+    throw InvalidInput(
+        "reading " + file.string(), error.what(),
+        "JSON with critical_diameter_m, impact_velocity_m_s, time_step_s and particles "
+        "(each with diameter_m, attached, speed_m_s)",
+        "run the drop test again, in an empty folder");
+  }
+  return r;
 }
 
 }  // namespace powderlink::host

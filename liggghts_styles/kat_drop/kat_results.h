@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file kat_results.h
-/// The JSON file that `fix kat/drop ... results FILE` writes when the test is over.
-/// Tests: tests/kat_drop/kat_results_test.cpp
+/// The JSON file that `fix kat/drop ... results FILE` writes when the test is over: its one writer and its
+/// one reader. Tests: tests/kat_drop/kat_results_test.cpp, tests/render/bad_input_test.cpp
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
-
-#include <mpi.h>
 
 namespace powderlink::host {
 
@@ -22,7 +21,7 @@ struct KatGrainResult {
 };
 
 struct KatResults {
-  double impact_velocity_m_s = 0.0;
+  double impact_velocity_m_s = 0.0;  ///< 0: not in the file, as for the next ones
   double critical_diameter_m = 0.0;  ///< 0: not bracketed
   double largest_attached_m = 0.0;   ///< 0: none
   double smallest_detached_m = 0.0;  ///< 0: none
@@ -33,10 +32,11 @@ struct KatResults {
   std::vector<KatGrainResult> grains;
 };
 
-/// All grains on rank 0, ordered by id; empty on the others.
-std::vector<KatGrainResult> gather(const std::vector<KatGrainResult>& mine, MPI_Comm world);
-
 /// Writes beside the file, then renames. Throws InvalidInput when the file cannot be written.
 void write(const KatResults& results, const std::string& file);
+
+/// What the file does not have is 0, and so are the residuals of the momentum where it has none. Throws
+/// InvalidInput for what is no such file, and for sizes, speeds and times that are not above 0.
+KatResults read_kat_results(const std::filesystem::path& file);
 
 }  // namespace powderlink::host

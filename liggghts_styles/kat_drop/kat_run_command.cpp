@@ -3,10 +3,10 @@
 
 #include <string>
 
-#include "liggghts_styles/kat_drop/fix_kat_drop.h"
-#include "liggghts_styles/host/stop_all.h"
 #include "input.h"
 #include "lammps.h"
+#include "liggghts_styles/host/stop_all.h"
+#include "liggghts_styles/kat_drop/fix_kat_drop.h"
 #include "modify.h"
 #include "signal_handling.h"
 

@@ -13,10 +13,10 @@
 
 #include "liggghts_styles/contact/fix_adhesion_effect.h"
 #include "liggghts_styles/couple_bridge/fix_couple_bridge.h"
-#include "liggghts_styles/kat_drop/fix_kat_drop.h"
-#include "liggghts_styles/kat_drop/kat_run_command.h"
 #include "liggghts_styles/host/private_access.h"
 #include "liggghts_styles/host/read_restart_command.h"
+#include "liggghts_styles/kat_drop/fix_kat_drop.h"
+#include "liggghts_styles/kat_drop/kat_run_command.h"
 #include "liggghts_styles/plugin/contact_models.h"
 
 using FixCreator = LAMMPS_NS::Fix* (*)(LAMMPS_NS::LAMMPS*, int, char**);

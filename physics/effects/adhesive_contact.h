@@ -22,9 +22,9 @@
 
 #include <boost/math/tools/toms748_solve.hpp>
 
-#include "physics/effects/effect.h"
 #include "physics/contact/jkr_edge.h"
 #include "physics/contact/jkr_law.h"
+#include "physics/effects/effect.h"
 
 namespace powderlink::physics {
 

@@ -13,8 +13,8 @@
 #include <cmath>
 #include <string>
 
-#include "physics/fluid_forces/vec3.h"
 #include "base/invalid_input.h"
+#include "physics/fluid_forces/vec3.h"
 
 namespace powderlink::forces {
 

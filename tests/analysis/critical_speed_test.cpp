@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "analysis/kat/reduced/critical_diameter.h"
-#include "analysis/kat/study/material_library.h"
 #include "analysis/kat/reduced/universal_tables.h"
+#include "analysis/kat/study/material_library.h"
 #include "physics/effects/effect_registry.h"
 #include "physics/kat/kat_theory.h"
 

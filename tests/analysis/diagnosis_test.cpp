@@ -8,9 +8,9 @@
 #include <cmath>
 #include <random>
 
-#include "analysis/kat/reduced/critical_diameter.h"
 #include "analysis/evidence/added_effects.h"
 #include "analysis/evidence/comparison.h"
+#include "analysis/kat/reduced/critical_diameter.h"
 #include "analysis/kat/study/material_library.h"
 #include "tests/analysis/test_files.h"
 

@@ -66,8 +66,8 @@ TEST(DropScript, StepIsAFractionOfTheSmallestRayleighTime) {
   DropScript d = steel_drop();
   d.options.time_step_rayleigh = 0.2;
   EXPECT_NEAR(
-      word_after(commands(d), "timestep") / (0.2 * physics::rayleigh_time_s(20e-6, d.particle)), 1.0,
-      1e-8);
+      word_after(commands(d), "timestep") / (0.2 * physics::rayleigh_time_s(20e-6, d.particle)),
+      1.0, 1e-8);
 }
 
 TEST(DropScript, BoxHoldsGridAndFlight) {
@@ -85,7 +85,8 @@ TEST(DropScript, SkinHoldsEveryNeck) {
   for (const double energy : {0.01, 17.0, 1000.0}) {
     DropScript d = steel_drop();
     d.work_of_adhesion_J_m2 = energy;
-    const physics::JkrLaw law(physics::effective_youngs_modulus_Pa(d.particle, d.substrate), energy);
+    const physics::JkrLaw law(physics::effective_youngs_modulus_Pa(d.particle, d.substrate),
+                              energy);
     EXPECT_GT(word_after(commands(d), "neighbor"), -2.0 * law.tear_off_overlap_m(30e-6));
     d.effects = {{"rate_dependent_adhesion", {1.0, 0.6}}};
     EXPECT_GT(word_after(commands(d), "neighbor"), -27.0 * law.tear_off_overlap_m(30e-6));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/analysis/flow_case.h"
-#include "analysis/flow/run/dem_time_step.h"
 #include "analysis/flow/flow_report.h"
+#include "analysis/flow/run/dem_time_step.h"
 
 namespace powderlink::analysis {
 namespace {

@@ -7,11 +7,11 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
+#include "analysis/flow/flow_report.h"
 #include "analysis/flow/observables/channel_bins.h"
 #include "analysis/flow/observables/cluster_runs.h"
 #include "analysis/flow/observables/counting_floor.h"
 #include "analysis/flow/observables/elbow.h"
-#include "analysis/flow/flow_report.h"
 #include "analysis/flow/observables/momentum_account.h"
 #include "analysis/flow/run/run_tables.h"
 #include "tests/analysis/flow_case.h"

@@ -8,7 +8,6 @@
 #include <functional>
 #include <map>
 
-#include "analysis/kat/reduced/critical_diameter.h"
 #include "analysis/kat/experiment/contact_radii.h"
 #include "analysis/kat/experiment/kat_analysis.h"
 #include "analysis/kat/experiment/methods/contact_radius.h"
@@ -16,6 +15,7 @@
 #include "analysis/kat/experiment/methods/energy.h"
 #include "analysis/kat/experiment/methods/finite_stop.h"
 #include "analysis/kat/experiment/methods/rebound_time.h"
+#include "analysis/kat/reduced/critical_diameter.h"
 #include "analysis/kat/study/material_library.h"
 #include "tests/analysis/test_files.h"
 

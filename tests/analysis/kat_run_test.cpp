@@ -7,9 +7,9 @@
 #include <chrono>
 #include <cstdlib>
 
+#include "analysis/kat/study/material_library.h"
 #include "base/process/child_process.h"
 #include "base/process/progress.h"
-#include "analysis/kat/study/material_library.h"
 #include "tests/analysis/steel_drop.h"
 #include "tests/analysis/test_files.h"
 

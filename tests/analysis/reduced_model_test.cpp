@@ -35,7 +35,7 @@ KatSetup glass_on_glass(double energy, const StopPulse& stop) {
 }
 
 std::vector<std::shared_ptr<const physics::Effect>> effect(const std::string& name,
-                                                          const std::vector<double>& parameters) {
+                                                           const std::vector<double>& parameters) {
   return {physics::make_effect(name, parameters)};
 }
 

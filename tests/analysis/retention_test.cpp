@@ -6,9 +6,9 @@
 #include <cmath>
 #include <random>
 
-#include "analysis/kat/reduced/critical_diameter.h"
 #include "analysis/evidence/comparison.h"
 #include "analysis/evidence/diagnosis.h"
+#include "analysis/kat/reduced/critical_diameter.h"
 #include "tests/analysis/test_files.h"
 
 namespace powderlink::analysis {

@@ -7,9 +7,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analysis/kat/reduced/critical_diameter.h"
 #include "analysis/evidence/candidate.h"
 #include "analysis/evidence/comparison.h"
+#include "analysis/kat/reduced/critical_diameter.h"
 #include "analysis/kat/study/material_library.h"
 #include "tests/analysis/test_files.h"
 

@@ -10,8 +10,8 @@
 #include <new>
 #include <thread>
 
-#include "coupling/bridge/transport/mpi_transport.h"
 #include "coupling/bridge/exchange/particle_exchange.h"
+#include "coupling/bridge/transport/mpi_transport.h"
 #include "coupling/bridge/transport/session.h"
 #include "coupling/bridge/transport/socket_transport.h"
 #include "tests/bridge/conformance.h"

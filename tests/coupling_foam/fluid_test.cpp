@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <string>
 
-#include "physics/fluid_forces/force_registry.h"
 #include "fixedGradientFvPatchFields.H"
 #include "fluidForces.H"
 #include "fluidInterpolation.H"
@@ -14,6 +13,7 @@
 #include "fvcGrad.H"
 #include "fvcLaplacian.H"
 #include "mathematicalConstants.H"
+#include "physics/fluid_forces/force_registry.h"
 #include "viscousStress.H"
 
 using namespace powderlink::foam_test;

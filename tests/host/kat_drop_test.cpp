@@ -10,8 +10,8 @@
 
 #include "liggghts_case.h"
 #include "materials.h"
-#include "physics/kat/kat_theory.h"
 #include "physics/contact/rayleigh_time.h"
+#include "physics/kat/kat_theory.h"
 
 namespace powderlink::testing {
 namespace {

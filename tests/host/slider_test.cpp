@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "liggghts_case.h"
-#include "physics/kat/kat_theory.h"
 #include "physics/contact/spring_slider_dashpot.h"
+#include "physics/kat/kat_theory.h"
 
 namespace powderlink::testing {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <mpi.h>
 
-#include "liggghts_styles/kat_drop/kat_results.h"
+#include "liggghts_styles/kat_drop/kat_gather.h"
 
 using powderlink::host::KatGrainResult;
 

@@ -12,11 +12,11 @@
 
 #include "physics/contact/hertz_collision.h"
 #include "physics/contact/jkr_law.h"
-#include "physics/kat/kat_theory.h"
 #include "physics/contact/material.h"
 #include "physics/contact/rayleigh_time.h"
 #include "physics/contact/softened_adhesion.h"
 #include "physics/contact/spring_slider_dashpot.h"
+#include "physics/kat/kat_theory.h"
 #include "tests/models/refuses.h"
 
 namespace powderlink {
@@ -38,7 +38,7 @@ Outcome integrate(const HertzCollision& c, double alpha) {
   using State = std::array<double, 2>;  // overlap, its rate
   const auto rhs = [&](const State& s, State& rate, double) {
     rate = {s[1], -physics::spring_slider_dashpot_force_N(s[0], s[1], c.modulus_Pa, c.radius_m,
-                                                         c.mass_kg, alpha) /
+                                                          c.mass_kg, alpha) /
                       c.mass_kg};
   };
   constexpr int steps = 40000;
@@ -95,7 +95,8 @@ TEST(SpringSliderDashpot, DampsAsLiggghtsDoes) {
           hertz.force_N(root, radius) +
           0.4 * physics::normal_damping_kg_s(physics::damping_ratio(e), modulus, root * root, mass);
       EXPECT_NEAR(
-          physics::spring_slider_dashpot_force_N(overlap, 0.4, modulus, radius, mass, alpha) / force,
+          physics::spring_slider_dashpot_force_N(overlap, 0.4, modulus, radius, mass, alpha) /
+              force,
           1.0, 10 * kRounding);
     }
   }
@@ -239,9 +240,9 @@ TEST(SoftenedAdhesion, KeepsTheWorkAndTheSpeedOfSticking) {
   constexpr double gamma = 0.1, modulus = 1.16e11, softened = 1.16e7, radius = 33e-6;
   const JkrLaw real(modulus, gamma);
   const JkrLaw soft(softened, physics::softened_adhesion_J_m2(gamma, modulus, softened));
-  EXPECT_NEAR(physics::touch_and_go_work_J(soft, radius) / physics::touch_and_go_work_J(real, radius),
-              1.0,
-              1e-9);  // roots of a quartic at tear-off, where its slope is 0
+  EXPECT_NEAR(
+      physics::touch_and_go_work_J(soft, radius) / physics::touch_and_go_work_J(real, radius), 1.0,
+      1e-9);  // roots of a quartic at tear-off, where its slope is 0
   EXPECT_EQ(physics::softened_adhesion_J_m2(gamma, modulus, modulus), gamma);
   const double lambda = std::pow(modulus / softened, 0.4);
   EXPECT_NEAR(soft.pull_off_force_N(radius) * lambda / real.pull_off_force_N(radius), 1.0,

@@ -11,8 +11,8 @@
 #include <gtest/gtest.h>
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 
-#include "physics/effects/effect_registry.h"
 #include "physics/contact/jkr_law.h"
+#include "physics/effects/effect_registry.h"
 #include "physics/kat/kat_theory.h"
 #include "tests/models/refuses.h"
 

@@ -44,7 +44,7 @@ TEST(KatTheory, DropTestByTheEnergyBalance) {
   const double e = modulus(kGlass, kGlass);
   for (const DropTest& row : kDropTests) {
     EXPECT_NEAR(physics::adhesive_energy_instant_J_m2(e, kGlass.density_kg_m3, row.speed_m_s,
-                                                     row.diameter_um * 1e-6),
+                                                      row.diameter_um * 1e-6),
                 row.gamma_J_m2, kTwoDecimals)
         << row.speed_m_s << " m/s";
   }
@@ -54,11 +54,11 @@ TEST(KatTheory, DropTestByTheReboundTime) {
   const double e = modulus(kGlass, kGlass);
   for (const DropTest& row : kDropTests) {
     EXPECT_NEAR(physics::adhesive_energy_rebound_J_m2(e, kGlass.density_kg_m3, row.speed_m_s,
-                                                     row.diameter_um * 1e-6),
+                                                      row.diameter_um * 1e-6),
                 row.gamma_rebound_J_m2, kOneDecimal)
         << row.speed_m_s << " m/s";
     EXPECT_NEAR(1e9 * physics::rebound_time_s(e, kGlass.density_kg_m3, 0.5e-6 * row.diameter_um,
-                                             row.speed_m_s),
+                                              row.speed_m_s),
                 row.rebound_ns, kOneDecimal)
         << row.speed_m_s << " m/s";
   }
@@ -75,7 +75,7 @@ TEST(KatTheory, PrintedFormOfTheEnergyBalance) {
                                         (243 * kPi * kPi * std::pow(1.0107, 3)),
                                     0.2);
     EXPECT_NEAR(physics::adhesive_energy_instant_J_m2(e, kGlass.density_kg_m3, row.speed_m_s,
-                                                     row.diameter_um * 1e-6),
+                                                      row.diameter_um * 1e-6),
                 printed, rounded_constant * printed);
   }
 }
@@ -92,7 +92,7 @@ TEST(KatTheory, SteelPowder) {
   for (const SteelTest& t : kSteelTests) {
     const double e = modulus(kSteel, *t.plate);
     const double gamma = physics::adhesive_energy_instant_J_m2(e, kSteel.density_kg_m3, t.speed_m_s,
-                                                              t.diameter_um * 1e-6);
+                                                               t.diameter_um * 1e-6);
     EXPECT_NEAR(gamma, t.recomputed_J_m2, t.last_digit) << t.plate->name;
     // The source prints values that its own inputs miss by 2-4 %.
     const double off = std::fabs(t.printed_J_m2 / gamma - 1);

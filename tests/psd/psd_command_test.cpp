@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 #include <opencv2/imgcodecs.hpp>
 
-#include "base/csv/csv_table.h"
 #include "analysis/sizes/rosin_rammler.h"
+#include "base/csv/csv_table.h"
 #include "tests/analysis/command_line.h"
 #include "tests/psd/drawn_spheres.h"
 

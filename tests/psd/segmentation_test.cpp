@@ -5,9 +5,9 @@
 #include <numeric>
 #include <opencv2/imgcodecs.hpp>
 
-#include "analysis/sizes/size_distribution.h"
 #include "analysis/sizes/pictures/edge_blur.h"
 #include "analysis/sizes/pictures/split_touching.h"
+#include "analysis/sizes/size_distribution.h"
 #include "tests/analysis/test_files.h"
 #include "tests/psd/drawn_spheres.h"
 

@@ -3,6 +3,7 @@
 #include "base/gnuplot/gnuplot.h"
 
 #include "base/files/file_text.h"
+#include "base/files/sha1.h"
 #include "tests/analysis/test_files.h"
 
 namespace powderlink::analysis {

@@ -8,9 +8,9 @@
 #include <nlohmann/json.hpp>
 
 #include "base/files/file_text.h"
-#include "base/process/child_process.h"
 #include "base/files/write_file.h"
 #include "base/invalid_input.h"
+#include "base/process/child_process.h"
 
 namespace powderlink::analysis {
 
@@ -74,7 +74,7 @@ nlohmann::json ask(const fs::path& case_folder, const nlohmann::json& questions)
 #endif
   command.insert(command.end(), {program.string(), asked.string(), answered.string()});
   const ChildOutcome outcome = run_child(command, folder, letters.path() / "messages", kLimit_s);
-  const auto answers = nlohmann::json::parse(file_text(answered), nullptr, false);
+  const auto answers = nlohmann::json::parse(file_text_or_empty(answered), nullptr, false);
   if (outcome.exit_status != 0 || outcome.over_time || answers.is_discarded()) {
     throw InvalidInput(
         "reading OpenFOAM's files of " + case_folder.string(),

@@ -16,10 +16,10 @@
 #include <cmath>
 #include <sstream>
 
+#include "analysis/flow/foam/foam_files.h"
 #include "analysis/flow/observables/flow_observables.h"
 #include "analysis/flow/observables/momentum_account.h"
 #include "analysis/flow/run/run_tables.h"
-#include "analysis/flow/foam/foam_files.h"
 #include "base/text/text_table.h"
 
 namespace powderlink::analysis {

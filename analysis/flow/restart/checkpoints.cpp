@@ -11,11 +11,11 @@
 #include <set>
 #include <sstream>
 
+#include "analysis/flow/restart/field_file.h"
 #include "analysis/flow/run/dem_time_step.h"
 #include "analysis/flow/run/particle_clock.h"
-#include "analysis/flow/restart/field_file.h"
-#include "liggghts_styles/host/restart_file.h"
 #include "base/invalid_input.h"
+#include "liggghts_styles/host/restart_file.h"
 
 namespace powderlink::analysis {
 

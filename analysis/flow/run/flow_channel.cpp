@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <limits>
 
-#include "analysis/flow/run/pressure_profile.h"
 #include "analysis/flow/foam/foam_files.h"
+#include "analysis/flow/run/pressure_profile.h"
 #include "base/invalid_input.h"
 
 namespace powderlink::analysis {

@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
-#include "analysis/flow/run/dem_time_step.h"
 #include "analysis/flow/foam/foam_files.h"
+#include "analysis/flow/run/dem_time_step.h"
 
 namespace powderlink::analysis {
 

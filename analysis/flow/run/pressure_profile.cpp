@@ -13,8 +13,8 @@
 #include <regex>
 #include <sstream>
 
-#include "analysis/flow/run/run_tables.h"
 #include "analysis/flow/foam/foam_files.h"
+#include "analysis/flow/run/run_tables.h"
 #include "base/invalid_input.h"
 
 namespace powderlink::analysis {

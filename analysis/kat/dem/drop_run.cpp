@@ -6,12 +6,14 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "base/files/file_text.h"
-#include "base/process/child_process.h"
+#include "base/files/sha1.h"
 #include "base/files/write_file.h"
+#include "base/invalid_input.h"
+#include "base/process/child_process.h"
+#include "liggghts_styles/kat_drop/kat_results.h"
 
 namespace powderlink::analysis {
 
@@ -35,28 +37,18 @@ std::string program_state(const fs::path& program) {
 }
 
 DropResult parse_results(const fs::path& file) {
+  const host::KatResults results = host::read_kat_results(file);
   DropResult r;
-  try {
-    const auto j = nlohmann::json::parse(file_text(file));
-    const auto value = [&](const char* key) {
-      return j.at(key).is_null() ? 0.0 : j.at(key).get<double>();
-    };
-    r.largest_attached_m = value("largest_attached_m");
-    r.smallest_detached_m = value("smallest_detached_m");
-    for (const auto& p : j.at("particles")) {
-      r.particles.push_back({p.at("diameter_m").get<double>(), p.at("attached").get<bool>(),
-                             p.at("speed_m_s").get<double>(), p.at("balance").get<double>()});
-    }
-  } catch (const nlohmann::json::exception& e) {
-    throw InvalidInput("results of LIGGGHTS", file.string(), "the JSON file of fix kat/drop",
-                       std::string(e.what()) + "; remove the folder and run again");
-  }
+  r.largest_attached_m = results.largest_attached_m;
+  r.smallest_detached_m = results.smallest_detached_m;
+  for (const host::KatGrainResult& g : results.grains)
+    r.particles.push_back({g.diameter_m, g.attached > 0.0, g.speed_m_s, g.energy_residual});
   return r;
 }
 
 /// The line that LIGGGHTS ended with, for the message.
 std::string last_error(const fs::path& screen) {
-  std::istringstream text(file_text(screen));
+  std::istringstream text(file_text_or_empty(screen));
   std::string last, error;
   for (std::string line; std::getline(text, line);) {
     if (line.find("ERROR") != std::string::npos && error.empty()) error = line;
@@ -84,7 +76,7 @@ DropResult run_drop(const DropRunner& runner, const DropScript& drop, const fs::
   const std::string script = drop_script(drop);
   const std::string hash = sha1(script + program_state(runner.program));
   const fs::path results = folder / kResultsFile;
-  if (fs::is_regular_file(results) && file_text(folder / kFinished) == hash) {
+  if (fs::is_regular_file(results) && file_text_or_empty(folder / kFinished) == hash) {
     DropResult r = parse_results(results);
     r.reused = true;
     return r;

@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "physics/contact/rayleigh_time.h"
 #include "physics/effects/adhesive_contact.h"
 #include "physics/effects/effect_registry.h"
 #include "physics/kat/kat_theory.h"
-#include "physics/contact/rayleigh_time.h"
 
 namespace powderlink::analysis {
 
@@ -39,7 +39,7 @@ Layout layout(const DropScript& d) {
   Layout l;
   const double radius = 0.5 * d.largest_diameter_m;
   const physics::JkrLaw law(physics::effective_youngs_modulus_Pa(d.particle, d.substrate),
-                           d.work_of_adhesion_J_m2);
+                            d.work_of_adhesion_J_m2);
   double range = 0.0;
   double tear_off_gaps = kTearOffGaps;
   double tear_off_m = -law.tear_off_overlap_m(radius);

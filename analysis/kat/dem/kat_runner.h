@@ -8,8 +8,8 @@
 
 #include <vector>
 
-#include "analysis/kat/reduced/critical_diameter.h"
 #include "analysis/kat/dem/critical_search.h"
+#include "analysis/kat/reduced/critical_diameter.h"
 #include "analysis/kat/study/study.h"
 
 namespace powderlink::analysis {

@@ -8,9 +8,9 @@
 
 #include "analysis/kat/study/checks.h"
 #include "analysis/kat/study/study_material.h"
+#include "base/invalid_input.h"
 #include "base/text/text_table.h"
 #include "base/toml/toml_text.h"
-#include "base/invalid_input.h"
 
 namespace powderlink::analysis {
 

@@ -5,8 +5,8 @@
 
 #include <cmath>
 
-#include "kat_firmware/core/kat_velocity.h"
 #include "base/invalid_input.h"
+#include "kat_firmware/core/kat_velocity.h"
 
 namespace powderlink::analysis {
 

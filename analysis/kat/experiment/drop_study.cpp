@@ -7,12 +7,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/csv/csv_plain.h"
-#include "base/files/file_text.h"
 #include "analysis/kat/study/study.h"
 #include "analysis/kat/study/study_material.h"
-#include "base/toml/toml_text.h"
+#include "base/csv/csv_plain.h"
+#include "base/files/file_text.h"
 #include "base/files/write_file.h"
+#include "base/toml/toml_text.h"
 
 namespace powderlink::analysis {
 

@@ -10,10 +10,10 @@
 #include <boost/algorithm/string/trim.hpp>
 #include <cmath>
 
-#include "analysis/kat/study/checks.h"
 #include "analysis/kat/experiment/grain_files.h"
 #include "analysis/kat/experiment/retention_analysis.h"
 #include "analysis/kat/experiment/retention_classes.h"
+#include "analysis/kat/study/checks.h"
 #include "base/invalid_input.h"
 
 namespace powderlink::analysis {

@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <set>
 
-#include "base/files/file_patterns.h"
 #include "analysis/sizes/picture_names.h"
 #include "analysis/sizes/table_doubts.h"
+#include "base/files/file_patterns.h"
 #include "base/invalid_input.h"
 
 namespace powderlink::analysis {

@@ -29,12 +29,12 @@ TheoryDiameter theory_diameter(const ReducedModel& model, double impact_velocity
   const double density = setup.particle.density_kg_m3;
   const TheoryDiameter instant{
       physics::critical_diameter_instant_m(model.smooth_law(), density,
-                                          setup.stop.speed_change_m_s(impact_velocity)),
+                                           setup.stop.speed_change_m_s(impact_velocity)),
       "instant stop"};
   if (setup.stop.shape() == physics::StopPulse::Shape::instant) return instant;
   const TheoryDiameter slow{
       physics::critical_diameter_slow_m(setup.work_of_adhesion_J_m2, density,
-                                       setup.stop.peak_deceleration_m_s2(impact_velocity)),
+                                        setup.stop.peak_deceleration_m_s2(impact_velocity)),
       "slow stop"};
   // No stop is more violent than the instant one, so the slow limit counts only above it.
   return slow.diameter_m > instant.diameter_m ? slow : instant;

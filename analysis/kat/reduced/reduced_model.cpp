@@ -8,8 +8,8 @@
 #include <cmath>
 #include <utility>
 
-#include "physics/kat/kat_theory.h"
 #include "physics/contact/normal_damping.h"
+#include "physics/kat/kat_theory.h"
 
 namespace powderlink::analysis {
 

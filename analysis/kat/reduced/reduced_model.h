@@ -24,9 +24,9 @@
 #include <memory>
 #include <vector>
 
+#include "physics/contact/material.h"
 #include "physics/effects/adhesive_contact.h"
 #include "physics/effects/gap_forces.h"
-#include "physics/contact/material.h"
 #include "physics/kat/stop_pulse.h"
 
 namespace powderlink::analysis {
@@ -35,7 +35,7 @@ struct KatSetup {
   physics::Material particle{};
   physics::Material substrate{};
   double work_of_adhesion_J_m2 = 0.0;  ///< Gamma of the interface
-  physics::StopPulse stop{};            ///< replaced by the stop of an effect that has one
+  physics::StopPulse stop{};           ///< replaced by the stop of an effect that has one
   std::vector<std::shared_ptr<const physics::Effect>> effects{};
   double gravity_m_s2 = 9.81;
   double restitution = 1.0;       ///< of the Hertz contact; 1 is undamped

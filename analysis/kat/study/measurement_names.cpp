@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "base/csv/csv_units.h"
-#include "base/text/units.h"
 #include "base/invalid_input.h"
+#include "base/text/units.h"
 
 namespace powderlink::analysis {
 

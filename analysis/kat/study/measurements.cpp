@@ -8,8 +8,8 @@
 #include <cmath>
 #include <functional>
 
-#include "analysis/kat/study/checks.h"
 #include "analysis/kat/experiment/grain_drops.h"
+#include "analysis/kat/study/checks.h"
 #include "analysis/kat/study/measurement_names.h"
 #include "base/invalid_input.h"
 

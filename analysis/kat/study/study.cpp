@@ -9,10 +9,10 @@
 #include <sstream>
 
 #include "analysis/kat/study/checks.h"
-#include "base/toml/strict_table.h"
 #include "analysis/kat/study/study_material.h"
-#include "physics/effects/effect_registry.h"
+#include "base/toml/strict_table.h"
 #include "physics/contact/rayleigh_time.h"
+#include "physics/effects/effect_registry.h"
 
 namespace powderlink::analysis {
 

@@ -25,8 +25,8 @@
 #include <string>
 #include <vector>
 
-#include "analysis/kat/study/measurements.h"
 #include "analysis/kat/reduced/reduced_model.h"
+#include "analysis/kat/study/measurements.h"
 #include "physics/contact/material.h"
 
 namespace powderlink::analysis {

@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include "analysis/kat/study/checks.h"
+#include "physics/contact/tabor_parameter.h"
 #include "physics/kat/kat_theory.h"
 #include "physics/kat/stop_pulse.h"
-#include "physics/contact/tabor_parameter.h"
 
 namespace powderlink::analysis {
 

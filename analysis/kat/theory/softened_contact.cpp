@@ -7,11 +7,11 @@
 
 #include "analysis/kat/study/checks.h"
 #include "physics/contact/hertz_collision.h"
-#include "physics/kat/kat_theory.h"
 #include "physics/contact/rayleigh_time.h"
 #include "physics/contact/softened_adhesion.h"
 #include "physics/contact/spring_slider_dashpot.h"
 #include "physics/contact/tabor_parameter.h"
+#include "physics/kat/kat_theory.h"
 
 namespace powderlink::analysis {
 
@@ -73,8 +73,8 @@ std::vector<SoftenedQuantity> quantities_of(const SoftenedContactInput& in, cons
   const double radius = 0.5e-6 * in.diameter_um;
   const double mass = physics::sphere_mass_kg(radius, s.particle.density_kg_m3);
   const physics::HertzCollision collision{s.effective_modulus_Pa, plate ? radius : 0.5 * radius,
-                                         plate ? mass : 0.5 * mass, in.speed_m_s,
-                                         physics::damping_ratio_of_alpha(in.damping.alpha)};
+                                          plate ? mass : 0.5 * mass, in.speed_m_s,
+                                          physics::damping_ratio_of_alpha(in.damping.alpha)};
   const double rayleigh = physics::rayleigh_time_s(radius, s.particle);
   const double step = in.rayleigh_fraction * rayleigh;
   const double duration = collision.duration_s();
@@ -91,7 +91,7 @@ std::vector<SoftenedQuantity> quantities_of(const SoftenedContactInput& in, cons
   add("steps_per_collision", "steps in it", "", duration / step);
   add("cloud_collision_time_s", "what OpenFOAM's clouds take for it", "s",
       physics::spring_slider_dashpot_time_s(collision.radius_m, s.particle.density_kg_m3,
-                                           s.effective_modulus_Pa, in.speed_m_s));
+                                            s.effective_modulus_Pa, in.speed_m_s));
   add("greatest_overlap_um", "greatest overlap", "um", 1e6 * overlap);
   add("greatest_overlap_percent", "  of the diameter", "%", 50.0 * overlap / radius);
   add("weight_speed_change_percent", "speed by weight meanwhile, of the impact's", "%",
@@ -107,7 +107,7 @@ std::vector<SoftenedQuantity> quantities_of(const SoftenedContactInput& in, cons
     add("neck_um", "neck at tear-off", "um", -1e6 * jkr.tear_off_overlap_m(collision.radius_m));
     add("tabor_parameter", "Tabor parameter", "",
         physics::tabor_parameter(collision.radius_m, *s.adhesive_energy_J_m2,
-                                s.effective_modulus_Pa));
+                                 s.effective_modulus_Pa));
   }
   return q;
 }
@@ -148,12 +148,12 @@ std::vector<SoftenedError> errors_of(const std::vector<SoftenedQuantity>& quanti
     add("pull_off_factor", "pull-off, the static force of adhesion, is {:.3g} of the real one",
         ratio("pull_off_N"));
     const SoftenedQuantity& tabor = *find("tabor_parameter");
-    e.push_back(
-        {"tabor_factor",
-         fmt::format("the theory of adhesion that holds: "
-                     "{} at the real modulus, {} at the lowered one",
-                     physics::adhesion_theory(tabor.real), physics::adhesion_theory(*tabor.softened)),
-         ratio("tabor_parameter")});
+    e.push_back({"tabor_factor",
+                 fmt::format("the theory of adhesion that holds: "
+                             "{} at the real modulus, {} at the lowered one",
+                             physics::adhesion_theory(tabor.real),
+                             physics::adhesion_theory(*tabor.softened)),
+                 ratio("tabor_parameter")});
   }
   return e;
 }
@@ -205,7 +205,7 @@ SoftenedContact softened_contact(const SoftenedContactInput& in) {
   soft.particle.youngs_modulus_Pa *= *factor;
   if (soft.adhesive_energy_J_m2) {
     soft.adhesive_energy_J_m2 = physics::softened_adhesion_J_m2(*soft.adhesive_energy_J_m2, modulus,
-                                                               soft.effective_modulus_Pa);
+                                                                soft.effective_modulus_Pa);
   }
   out.softened_particle = soft.particle;
   if (in.substrate) {

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analysis/sizes/table_doubts.h"
 #include "analysis/sizes/pictures/grain_source.h"
+#include "analysis/sizes/table_doubts.h"
 #include "base/invalid_input.h"
 
 namespace powderlink::analysis {

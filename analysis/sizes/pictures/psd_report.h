@@ -14,10 +14,10 @@
 #include <limits>
 #include <optional>
 
-#include "base/statistics/bootstrap.h"
 #include "analysis/sizes/particle_table.h"
-#include "analysis/sizes/rosin_rammler.h"
 #include "analysis/sizes/pictures/grain_source.h"
+#include "analysis/sizes/rosin_rammler.h"
+#include "base/statistics/bootstrap.h"
 
 namespace powderlink::analysis {
 

@@ -3,8 +3,8 @@
 // frames go only where there are particles. The way back needs no first phase.
 #include <utility>
 
-#include "coupling/bridge/transport/mpi_mailbox.h"
 #include "coupling/bridge/exchange/particle_rows.h"
+#include "coupling/bridge/transport/mpi_mailbox.h"
 
 namespace powderlink::bridge {
 

@@ -4,8 +4,8 @@
 #include <limits>
 #include <utility>
 
-#include "coupling/bridge/transport/mpi_mailbox.h"
 #include "coupling/bridge/exchange/particle_rows.h"
+#include "coupling/bridge/transport/mpi_mailbox.h"
 
 namespace powderlink::bridge {
 

@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
+#include "coupling/bridge/exchange/particle_exchange.h"
 #include "coupling/bridge/frame/field.h"
 #include "coupling/bridge/frame/frame.h"
-#include "coupling/bridge/exchange/particle_exchange.h"
 
 namespace powderlink::bridge {
 

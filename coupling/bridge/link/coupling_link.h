@@ -22,8 +22,8 @@
 #include <string>
 #include <vector>
 
-#include "coupling/bridge/transport/mpi_world.h"
 #include "coupling/bridge/exchange/particle_exchange.h"
+#include "coupling/bridge/transport/mpi_world.h"
 #include "coupling/bridge/transport/session.h"
 #include "coupling/bridge/transport/socket_transport.h"
 

@@ -52,7 +52,7 @@ struct ContactRadiusAtRest {
     double mean = 0.0, squares = 0.0, bright = 0.0, dark = 0.0;
     const auto log_gamma = [&](const ContactRadius& c) {
       return std::log(physics::adhesive_energy_contact_radius_J_m2(drop.best.modulus_Pa(),
-                                                                  c.radius_m, c.contact_radius_m));
+                                                                   c.radius_m, c.contact_radius_m));
     };
     for (const ContactRadius& c : list) {
       mean += log_gamma(c) / n;

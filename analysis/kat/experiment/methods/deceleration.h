@@ -34,7 +34,7 @@ struct Deceleration {
 
   static double gamma_J_m2(const KatDrop& d) {
     return physics::adhesive_energy_slow_J_m2(d.particle.density_kg_m3, *d.deceleration_m_s2,
-                                             d.critical_diameter_m);
+                                              d.critical_diameter_m);
   }
 
   static std::optional<GammaEstimate> estimate(const UncertainDrop& drop) {

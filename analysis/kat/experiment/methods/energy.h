@@ -35,7 +35,7 @@ struct Energy {
 
   static double gamma_J_m2(const KatDrop& d) {
     return physics::adhesive_energy_instant_J_m2(d.modulus_Pa(), d.particle.density_kg_m3,
-                                                d.impact_velocity_m_s, d.critical_diameter_m);
+                                                 d.impact_velocity_m_s, d.critical_diameter_m);
   }
 
   static std::optional<GammaEstimate> estimate(const UncertainDrop& drop) {

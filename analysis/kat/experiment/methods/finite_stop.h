@@ -24,8 +24,8 @@ POWDERLINK_GAMMA_METHOD(FiniteStop)
 #include <cmath>
 #include <cstdint>
 
-#include "analysis/kat/reduced/critical_speed.h"
 #include "analysis/kat/experiment/gamma_method.h"
+#include "analysis/kat/reduced/critical_speed.h"
 #include "physics/kat/kat_theory.h"
 
 namespace powderlink::analysis {

@@ -37,7 +37,7 @@ struct ReboundTime {
 
   static double gamma_J_m2(const KatDrop& d) {
     return physics::adhesive_energy_rebound_J_m2(d.modulus_Pa(), d.particle.density_kg_m3,
-                                                d.impact_velocity_m_s, d.critical_diameter_m);
+                                                 d.impact_velocity_m_s, d.critical_diameter_m);
   }
 
   static std::optional<GammaEstimate> estimate(const UncertainDrop& drop) {
@@ -45,7 +45,7 @@ struct ReboundTime {
     const KatDrop& d = drop.best;
     e.note = fmt::format("rebound of {:.4g} ns",
                          1e9 * physics::rebound_time_s(d.modulus_Pa(), d.particle.density_kg_m3,
-                                                      d.radius_m(), d.impact_velocity_m_s));
+                                                       d.radius_m(), d.impact_velocity_m_s));
     return e;
   }
 };
