@@ -2,7 +2,10 @@
 #include "liggghts_styles/contact/fix_adhesion_effect.h"
 
 #include <cstring>
+#include <string>
 
+#include "comm.h"
+#include "error.h"
 #include "force.h"
 #include "liggghts_styles/host/stop_all.h"
 #include "modify.h"
@@ -33,14 +36,38 @@ FixAdhesionEffect::FixAdhesionEffect(LAMMPS* lmp, int narg, char** arg) : Fix(lm
   }
 }
 
-std::vector<const physics::Effect*> FixAdhesionEffect::active(LAMMPS* lmp) {
+namespace {
+
+/// Its range for a grain of powder tells an attraction across the gap.
+bool acts_off_contact(const physics::Effect& effect) {
+  constexpr double grain_radius_m = 2e-5;
+  return effect.stop().has_value() || effect.range_m(grain_radius_m) > 0.0;
+}
+
+}  // namespace
+
+std::vector<const physics::Effect*> FixAdhesionEffect::active(LAMMPS* lmp, Reader reader) {
   std::vector<const physics::Effect*> effects;
   for (int i = 0; i < lmp->modify->nfix; ++i) {
-    if (std::strcmp(lmp->modify->fix[i]->style, kStyle) == 0) {
-      effects.push_back(&static_cast<FixAdhesionEffect*>(lmp->modify->fix[i])->effect());
-    }
+    if (std::strcmp(lmp->modify->fix[i]->style, kStyle) != 0) continue;
+    auto* fix = static_cast<FixAdhesionEffect*>(lmp->modify->fix[i]);
+    if (reader == Reader::drop || !acts_off_contact(*fix->effect_)) fix->read_ = true;
+    effects.push_back(fix->effect_.get());
   }
   return effects;
+}
+
+void FixAdhesionEffect::setup(int) {
+  // All that reads effects has been initialised by now.
+  if (read_ || comm->me != 0) return;
+  const std::string message =
+      std::string("fix ") + id + " adhesion/effect does nothing; given: an effect " +
+      (acts_off_contact(*effect_)
+           ? "across the gap or of the stop; allowed: beside fix kat/drop, which computes it; "
+             "to do: add the fix kat/drop, or remove this fix"
+           : "of the contact; allowed: with model jkr, which computes it; "
+             "to do: use 'model jkr' in pair_style or fix wall/gran, or remove this fix");
+  error->warning(FLERR, message.c_str());
 }
 
 }  // namespace powderlink::host

@@ -4,7 +4,8 @@
 ///
 /// Model `jkr` takes its interface part (roughness, rate dependence), `fix kat/drop` the forces
 /// across the gap and the stop of the plate. Parameters in the order that `powderlink effects`
-/// prints, all or none (then the typical values). The fix itself computes nothing.
+/// prints, all or none (then the typical values). The fix itself computes nothing, and warns at the start of
+/// a run in which nothing reads it.
 /// Tests: tests/host/kat_drop_test.cpp, tests/host/bad_input_test.cpp
 #pragma once
 
@@ -22,13 +23,16 @@ class FixAdhesionEffect : public LAMMPS_NS::Fix {
 
   FixAdhesionEffect(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg);
   int setmask() override { return 0; }
-  const physics::Effect& effect() const { return *effect_; }
+  void setup(int) override;
 
+  /// What asks for the effects: a contact model its interface part, fix kat/drop all of them.
+  enum class Reader { contact, drop };
   /// Effects of all fixes of this style, in script order.
-  static std::vector<const physics::Effect*> active(LAMMPS_NS::LAMMPS* lmp);
+  static std::vector<const physics::Effect*> active(LAMMPS_NS::LAMMPS* lmp, Reader reader);
 
  private:
   std::unique_ptr<physics::Effect> effect_;
+  bool read_ = false;  ///< by what uses it
 };
 
 }  // namespace powderlink::host

@@ -95,7 +95,9 @@ void JkrNormalModel::connectToProperties(PropertyRegistry& registry) {
   registry.connect("betaeff", beta, "model jkr");
 
   effects_.clear();
-  for (const physics::Effect* e : FixAdhesionEffect::active(lmp)) effects_.push_back(e);
+  for (const physics::Effect* e :
+       FixAdhesionEffect::active(lmp, FixAdhesionEffect::Reader::contact))
+    effects_.push_back(e);
 
   const int n = registry.max_type();
   stride_ = n + 1;

@@ -92,7 +92,8 @@ void FixKatDrop::init() {
         "allowed: one of them, because the test must know what pulls; "
         "to do: remove fix gravity and use the keyword gravity");
   }
-  const std::vector<const physics::Effect*> effects = FixAdhesionEffect::active(lmp);
+  const std::vector<const physics::Effect*> effects =
+      FixAdhesionEffect::active(lmp, FixAdhesionEffect::Reader::drop);
   gap_forces_ = physics::GapForces(effects);
   for (const physics::Effect* effect : effects) {
     if (!effect->stop()) continue;

@@ -40,9 +40,4 @@ inline const ForceEntry& find_force(const std::string& name) {
   throw InvalidInput("force", "'" + name + "'", names, "see docs/theory_coupling.md#forces");
 }
 
-inline std::unique_ptr<Force> make_force(const std::string& name,
-                                         const ForceSettings& settings = {}) {
-  return find_force(name).make(settings);
-}
-
 }  // namespace powderlink::forces

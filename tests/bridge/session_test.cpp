@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/bridge/fails.h"
+#include "tests/bridge/memory_transport.h"
 
 namespace powderlink::test {
 namespace {

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "coupling/bridge/transport/socket_transport.h"
+#include "tests/bridge/memory_transport.h"
 
 namespace powderlink::test {
 

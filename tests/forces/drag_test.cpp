@@ -18,10 +18,10 @@ using forces::force_registry;
 using forces::ForceEntry;
 using forces::ForceKind;
 using forces::kPi;
-using forces::make_force;
 using forces::ParticleState;
 using test::flow_past;
 using test::kRounding;
+using test::make_force;
 using test::steel;
 
 /// Re = 1e-10 and phi = 1e-12: the slowest laws approach Stokes as Re^1/2 and phi^1/2.

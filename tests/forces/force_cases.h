@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <map>
+#include <memory>
 #include <string>
 
 #include "physics/fluid_forces/force_registry.h"
@@ -23,6 +24,11 @@ constexpr double kArgonDensity = 1.66;       // kg/m^3
 constexpr double kArgonViscosity = 2.23e-5;  // Pa s
 constexpr double kSteelDensity = 7950.0;     // kg/m^3
 constexpr double kGravity = 9.81;            // m/s^2
+
+inline std::unique_ptr<forces::Force> make_force(const std::string& name,
+                                                 const forces::ForceSettings& settings = {}) {
+  return forces::find_force(name).make(settings);
+}
 
 /// F + K (u - v) at the velocities given [N]; without the added mass's reaction.
 inline forces::Vec3 total_force_N(const forces::ForceTerms& t, const forces::FluidState& f,

@@ -18,7 +18,6 @@ using forces::FluidState;
 using forces::ForceSettings;
 using forces::ForceTerms;
 using forces::kPi;
-using forces::make_force;
 using forces::MomentumModel;
 using forces::norm;
 using forces::ParticleState;
@@ -28,6 +27,7 @@ using test::argon;
 using test::busy_fluid;
 using test::busy_particle;
 using test::kRounding;
+using test::make_force;
 using test::steel;
 
 /// States at which the creeping limits are read: corrections are of this size or less.

@@ -17,10 +17,10 @@ namespace {
 using forces::FluidState;
 using forces::ForceSettings;
 using forces::ForceTerms;
-using forces::make_force;
 using forces::MomentumModel;
 using forces::ParticleState;
 using test::kRounding;
+using test::make_force;
 
 constexpr double kVoid = 0.4513, kHeight = 15.6e-3, kFlux = 0.002;
 constexpr double kDensity = 10.0, kKinematicViscosity = 1.5e-4, kDiameter = 1e-3;

@@ -23,7 +23,6 @@ using forces::ForceEntry;
 using forces::ForceKind;
 using forces::ForceSettings;
 using forces::ForceTerms;
-using forces::make_force;
 using forces::MomentumModel;
 using forces::norm;
 using forces::ParticleState;
@@ -32,6 +31,7 @@ using test::argon;
 using test::busy_fluid;
 using test::busy_particle;
 using test::kRounding;
+using test::make_force;
 using test::refuses;
 
 TEST(ForceRegistry, EveryForceHasAnAnalyticCheckAndPassesIt) {

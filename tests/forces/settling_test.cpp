@@ -20,11 +20,11 @@ namespace {
 
 using forces::FluidState;
 using forces::ForceTerms;
-using forces::make_force;
 using forces::ParticleState;
 using forces::Vec3;
 using test::argon;
 using test::kRounding;
+using test::make_force;
 using test::steel;
 
 /// Half a unit of the last digit that the source prints.

@@ -261,5 +261,29 @@ TEST(JkrContact, DampingActsInTheNeckToo) {
   EXPECT_NEAR((kRadius - o.last[0].x[2]) / (a0 * a0 / (3.0 * kRadius)), 1.0, 1e-4);
 }
 
+/// One run with the line of a fix adhesion/effect and a normal model.
+std::string said_of_effect(const std::string& name, const std::string& effect,
+                           const std::string& model) {
+  Setting s;
+  s.model = model;
+  const Outcome o = run_on_plate(LiggghtsCase(name), s, {above_plate(1e-6, 0.1)}, 10 * s.time_step,
+                                 LiggghtsCase::Program::launcher,
+                                 "fix film all adhesion/effect " + effect + "\n");
+  EXPECT_EQ(o.status, 0) << o.output;
+  return o.output;
+}
+
+TEST(ContactEffects, AreWarnedOfWhenNothingReadsThem) {
+  const std::string warning = "WARNING: fix film adhesion/effect does nothing";
+  const std::string gap = said_of_effect("effect_gap", "electrostatic_image_force 1e-4", "jkr");
+  EXPECT_NE(gap.find(warning), std::string::npos) << gap;
+  EXPECT_NE(gap.find("beside fix kat/drop"), std::string::npos) << gap;
+  const std::string contact = said_of_effect("effect_hertz", "surface_roughness", "hertz");
+  EXPECT_NE(contact.find(warning), std::string::npos) << contact;
+  EXPECT_NE(contact.find("with model jkr"), std::string::npos) << contact;
+  const std::string read = said_of_effect("effect_read", "surface_roughness", "jkr");
+  EXPECT_EQ(read.find("does nothing"), std::string::npos) << read;
+}
+
 }  // namespace
 }  // namespace powderlink::testing

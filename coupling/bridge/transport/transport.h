@@ -10,9 +10,7 @@
 /// Tests: tests/bridge/conformance_test.cpp
 #pragma once
 
-#include <memory>
 #include <string>
-#include <utility>
 
 #include "coupling/bridge/frame/bytes.h"
 #include "coupling/bridge/transport/deadline.h"
@@ -48,8 +46,5 @@ inline BridgeError lost(const std::string& peer, const std::string& how) {
           "a peer that stays until both have said goodbye",
           "see the log of the other program for the reason of its end"};
 }
-
-/// Two ends within one process, for tests and for two programs in one process (one thread each).
-std::pair<std::unique_ptr<Transport>, std::unique_ptr<Transport>> memory_transport_pair();
 
 }  // namespace powderlink::bridge

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/bridge/memory_transport.h"
+
 #include <condition_variable>
 #include <deque>
 #include <mutex>
 
 #include "coupling/bridge/frame/frame.h"
-#include "coupling/bridge/transport/transport.h"
 
 namespace powderlink::bridge {
 
