@@ -42,18 +42,23 @@ if [[ $mode == format || $mode == all ]]; then
   fi
 fi
 if [[ $mode == tidy || $mode == all ]]; then
-  [[ -f build/compile_commands.json ]] || {
-    echo "lint: no build/compile_commands.json; given: build/; allowed: a configured build; to do: cmake --preset release" >&2
+  # A configuration of its own, as the build compiles several sources at once; with the header it makes.
+  flags=build/tidy
+  mkdir -p build
+  if ! { cmake --preset release -B "$flags" -DPOWDERLINK_UNITY=OFF &&
+    cmake --build "$flags" --target build_commit; } >"$flags.log" 2>&1; then
+    tail -n 20 "$flags.log" >&2
+    echo "lint: cmake refused; given: $flags.log; allowed: a set-up machine; to do: scripts/setup.sh" >&2
     exit 1
-  }
+  fi
   # Only files that the build compiles have flags to check them with.
   compiled=()
   for file in "${files[@]}"; do
-    if grep -qF "\"file\": \"$PWD/$file\"" build/compile_commands.json; then compiled+=("$file"); fi
+    if grep -qF "\"file\": \"$PWD/$file\"" "$flags/compile_commands.json"; then compiled+=("$file"); fi
   done
   if [[ ${#compiled[@]} -gt 0 ]]; then
     printf '%s\0' "${compiled[@]}" |
-      xargs -0 -n 1 -P "$(nproc)" timeout 600 clang-tidy --quiet -p build \
+      xargs -0 -n 1 -P "$(nproc)" timeout 600 clang-tidy --quiet -p "$flags" \
         2> >(grep -vE '^[0-9]+ warnings? generated' >&2) || status=1
   fi
 fi

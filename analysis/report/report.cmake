@@ -27,3 +27,4 @@ add_custom_command(OUTPUT ${report_include}/analysis/build_commit.h
     -P ${PROJECT_SOURCE_DIR}/cmake/BuildCommit.cmake
   DEPENDS ${commit_depends} ${PROJECT_SOURCE_DIR}/cmake/BuildCommit.cmake
   COMMENT "Noting the commit of this build" VERBATIM)
+add_custom_target(build_commit DEPENDS ${report_include}/analysis/build_commit.h)

@@ -11,7 +11,8 @@
 
 namespace powderlink::bridge {
 
-namespace {
+// Not anonymous: members of DemLink and SolverLink have types from here.
+namespace link_parts {
 
 using Kind = BridgeError::Kind;
 
@@ -299,7 +300,8 @@ void check_known(const Hello& solver, const std::vector<FieldSpec>& known) {
   }
 }
 
-}  // namespace
+}  // namespace link_parts
+using namespace link_parts;
 
 void say_last_words(const std::string& why) noexcept {
   for (Line* line : lines()) line->cry(why);
