@@ -5,7 +5,7 @@
 ///
 ///   none -> one -> two
 ///
-/// Source: rules of evidence, diagnosis.h. Tests: tests/analysis/diagnosis_test.cpp
+/// Source: rules of evidence, diagnosis.h. Tests: tests/analysis/evidence/diagnosis_test.cpp
 #pragma once
 
 #include <string>

@@ -16,7 +16,7 @@
 /// typical value (BIC is not higher then) is held there and said to be undetermined.
 /// Symbols: n rows, m rows of one kind with assumed noise, k fitted parameters, chi^2 sum of the squared
 /// residuals in sigmas. Source: G. Schwarz, Ann. Statist. 6 (1978) 461.
-/// Tests: tests/analysis/study_fit_test.cpp
+/// Tests: tests/analysis/evidence/study_fit_test.cpp
 #pragma once
 
 #include <string>

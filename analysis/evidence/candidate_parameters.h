@@ -3,7 +3,7 @@
 /// The parameters of a fitted candidate as a reader wants them: fitted, held or fixed, and whether their
 /// values are plausible.
 ///
-/// Source: plausible ranges of physics/effects/effects.def. Tests: tests/analysis/study_fit_test.cpp
+/// Source: plausible ranges of physics/effects/effects.def. Tests: tests/analysis/evidence/study_fit_test.cpp
 #pragma once
 
 #include <string>

@@ -5,7 +5,7 @@
 /// Prior: a value outside its plausible range adds the decades that it is off to the residuals.
 /// Errors: none; the study is valid.
 /// Source: bounds and plausible ranges are those of physics/effects/effects.def.
-/// Tests: tests/analysis/study_fit_test.cpp
+/// Tests: tests/analysis/evidence/study_fit_test.cpp
 #pragma once
 
 #include <string>

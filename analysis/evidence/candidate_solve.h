@@ -7,7 +7,7 @@
 ///
 /// Validity: the correction changes by less than 0.12 per factor e of Gamma, of which d_c makes 0.5 to 1;
 /// else the integration takes over from there. Errors: none.
-/// Tests: tests/analysis/study_fit_test.cpp
+/// Tests: tests/analysis/evidence/study_fit_test.cpp
 #pragma once
 
 #include <vector>

@@ -4,7 +4,7 @@
 /// the adhesive energy that suits it.
 ///
 /// Validity: bounds of decades; between the points of the grid chi^2 has one valley.
-/// Tests: tests/analysis/study_fit_test.cpp
+/// Tests: tests/analysis/evidence/study_fit_test.cpp
 #pragma once
 
 #include <utility>

@@ -4,7 +4,7 @@
 /// tests of the residuals, and whether the model agrees.
 ///
 /// Intervals are of profile likelihood, 68 %: chi^2 rises by 1, or by the mean square of the residuals
-/// where the noise is not known. Tests: tests/analysis/study_fit_test.cpp
+/// where the noise is not known. Tests: tests/analysis/evidence/study_fit_test.cpp
 #pragma once
 
 #include <string>

@@ -2,7 +2,7 @@
 /// \file dem_prediction.h
 /// The predictions of a fit, made by LIGGGHTS instead of the reduced model. Runs are reused when
 /// script and programs are the same, and go side by side (kat/dem/kat_runner.h).
-/// Tests: tests/analysis/kat_liggghts_test.cpp
+/// Tests: tests/analysis/kat/kat_liggghts_test.cpp
 #pragma once
 
 #include <vector>

@@ -16,7 +16,7 @@
 /// 4. When none suffices, pairs are tried. A pair that does makes `ambiguous`: so many parameters
 ///    prove little. Else `unexplained`.
 /// Implausible parameters mark a candidate and do not remove it.
-/// Tests: tests/analysis/diagnosis_test.cpp; docs/diagnosis.md has the study of its error rates.
+/// Tests: tests/analysis/evidence/diagnosis_test.cpp; docs/diagnosis.md has the study of its error rates.
 #pragma once
 
 #include <string>

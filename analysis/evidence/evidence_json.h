@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file evidence_json.h
 /// Results of compare and diagnose as JSON; keys in docs/reference.md.
-/// Tests: tests/analysis/evidence_commands_test.cpp
+/// Tests: tests/analysis/program/evidence_commands_test.cpp
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

@@ -6,7 +6,7 @@
 ///
 /// Symbols: d_a, d_b predictions; s their uncertainty from the fitted parameters (first order);
 /// sigma noise of one drop. Velocities from half the slowest to twice the fastest row.
-/// Tests: tests/analysis/next_measurement_test.cpp, tests/analysis/diagnosis_test.cpp
+/// Tests: tests/analysis/evidence/next_measurement_test.cpp, tests/analysis/evidence/diagnosis_test.cpp
 #pragma once
 
 #include <string>

@@ -12,7 +12,7 @@
 /// A drop is repeated where the velocity is the same within 0.5 % (or the column
 /// impact_velocity_sigma_m_s), the contact time within 2 % and Gamma within 0.5 %: d_c then changes by
 /// 1 % at most.
-/// Tests: tests/analysis/noise_test.cpp
+/// Tests: tests/analysis/evidence/noise_test.cpp
 #pragma once
 
 #include <string>

@@ -14,7 +14,7 @@
 /// sigma^2 = noise^2 + discrepancy^2. The discrepancy is what the model's own form may be off when
 /// every effect is right (the shape of a pulse, the force law of a bridge): stated, not fitted.
 /// Noise: noise.h, for every row on its own. Units: um, m/s.
-/// Tests: tests/analysis/study_fit_test.cpp, tests/analysis/retention_test.cpp
+/// Tests: tests/analysis/evidence/study_fit_test.cpp, tests/analysis/evidence/retention_test.cpp
 #pragma once
 
 #include <map>

@@ -7,7 +7,7 @@
 ///   wave   y = a + b sin(w x) + c cos(w x)             x = v or ln v, from one to (n - 1)/2 periods
 ///
 /// Symbols: y = ln(d_measured/d_baseline); n rows. Weighted least squares, scanned over v_s and w;
-/// k counts a, b, c and what is scanned. Tests: tests/analysis/evidence_trends_test.cpp
+/// k counts a, b, c and what is scanned. Tests: tests/analysis/evidence/evidence_trends_test.cpp
 #pragma once
 
 #include <string>

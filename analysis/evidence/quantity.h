@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file quantity.h
 /// How sentences, tables and figures name each kind of measurement.
-/// Tests: tests/report/study_result_test.cpp, tests/analysis/retention_test.cpp
+/// Tests: tests/analysis/report/study_result_test.cpp, tests/analysis/evidence/retention_test.cpp
 #pragma once
 
 #include "analysis/kat/study/measurements.h"

@@ -5,7 +5,7 @@
 ///
 ///   rms = sqrt(mean e^2),  e of Observation::error
 ///
-/// Tests: tests/analysis/retention_test.cpp
+/// Tests: tests/analysis/evidence/retention_test.cpp
 #pragma once
 
 #include <string>

@@ -12,7 +12,7 @@
 /// sign of the residual is known beforehand: such a row is left out of all tests but scatter.
 /// p-values are corrected for the number of tests, those that count and those that do not separately.
 /// Symbols: n rows, residuals in sigmas, h_ii diagonal of the hat matrix. Errors: none.
-/// Source: trends.h. Tests: tests/analysis/residual_checks_test.cpp
+/// Source: trends.h. Tests: tests/analysis/evidence/residual_checks_test.cpp
 #pragma once
 
 #include <vector>

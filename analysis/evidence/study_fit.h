@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file study_fit.h
 /// What a study leaves free, fitted: the adhesive energy and parameters given as [low, high].
-/// Errors: InvalidInput when there is nothing to fit to. Tests: tests/analysis/study_fit_test.cpp
+/// Errors: InvalidInput when there is nothing to fit to. Tests: tests/analysis/evidence/study_fit_test.cpp
 #pragma once
 
 #include <string>

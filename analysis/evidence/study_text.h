@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file study_text.h
 /// A study as TOML, with an effect added: what `powderlink add` writes.
-/// Tests: tests/analysis/evidence_commands_test.cpp
+/// Tests: tests/analysis/program/evidence_commands_test.cpp
 #pragma once
 
 #include <filesystem>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file verdict_words.h
 /// A diagnosis in sentences, for the terminal, the JSON and the report.
-/// Tests: tests/analysis/diagnosis_test.cpp
+/// Tests: tests/analysis/evidence/diagnosis_test.cpp
 #pragma once
 
 #include <string>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file flow_figures.h
 /// SVG figures from the tables of `powderlink flow`, drawn by gnuplot with scripts/plots/flow_*.gp.
-/// Tests: tests/analysis/flow_command_test.cpp
+/// Tests: tests/analysis/program/flow_command_test.cpp
 #pragma once
 
 #include <filesystem>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file flow_report.h
 /// Everything that `powderlink flow` finds in a coupled case, and its files.
-/// Tests: tests/analysis/flow_case_test.cpp, tests/analysis/flow_command_test.cpp
+/// Tests: tests/analysis/flow/flow_case_test.cpp, tests/analysis/program/flow_command_test.cpp
 #pragma once
 
 #include <filesystem>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file segmentation_options.h
 /// The options of all commands that find grains in pictures.
-/// Tests: tests/psd/psd_command_test.cpp
+/// Tests: tests/analysis/sizes/psd_command_test.cpp
 #pragma once
 
 #include <CLI/CLI.hpp>

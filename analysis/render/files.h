@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file files.h
 /// Results appear whole or not at all: everything is written beside its place and then renamed.
-/// Tests: tests/render/series_test.cpp, tests/render/bad_input_test.cpp
+/// Tests: tests/analysis/render/series_test.cpp, tests/analysis/render/bad_input_test.cpp
 #pragma once
 
 #include <filesystem>

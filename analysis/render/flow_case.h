@@ -2,7 +2,7 @@
 /// \file flow_case.h
 /// A coupled case for the eye: particles of post/particles_*.dump, gas of the OpenFOAM case (serial,
 /// else processor*), both on the clock of the gas (analysis/flow/run/particle_clock.h).
-/// Tests: tests/render/flow_test.cpp
+/// Tests: tests/analysis/render/flow_test.cpp
 #pragma once
 
 #include <vtkPolyData.h>

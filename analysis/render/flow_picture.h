@@ -3,7 +3,7 @@
 /// The figure of a coupled run: gas speed in the plane through the middle, the particles before it
 /// with their true radii coloured by speed, in one or more strips. The channel's axis
 /// (analysis/flow/run/flow_channel.h) lies to the right, the axis `up` upwards. No display needed.
-/// Tests: tests/render/flow_test.cpp
+/// Tests: tests/analysis/render/flow_test.cpp
 #pragma once
 
 #include <filesystem>

@@ -3,7 +3,7 @@
 /// A coupled run for ParaView: CASE/particles.pvd, its states in CASE/vtk/, and CASE/case.foam,
 /// all at the times of the gas (analysis/flow/run/particle_clock.h), so that they play as one series. What
 /// LIGGGHTS did before the first exchange has negative times.
-/// Tests: tests/render/flow_test.cpp
+/// Tests: tests/analysis/render/flow_test.cpp
 #pragma once
 
 #include <filesystem>

@@ -4,7 +4,7 @@
 /// device, else EGL's default display. Debian's VTK knows X11 windows only, so the context is made
 /// here and handed to VTK's generic window. Mesa's software renderer is asked for, unless
 /// LIBGL_ALWAYS_SOFTWARE is set already: it is everywhere, and the same picture comes out
-/// everywhere. Tests: tests/render/picture_test.cpp
+/// everywhere. Tests: tests/analysis/render/picture_test.cpp
 #pragma once
 
 #include <vtkSmartPointer.h>

@@ -3,7 +3,7 @@
 /// Debian's GLEW loads all OpenGL functions first and then reports "no X display" when the context
 /// comes from EGL; VTK takes that report for a failure and draws nothing. The program's own
 /// glewInit stands before the library's, calls it, and passes everything on but that one report.
-/// Tests: tests/render/picture_test.cpp
+/// Tests: tests/analysis/render/picture_test.cpp
 #pragma once
 
 namespace powderlink::render {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file legend.h
 /// Scale bar and colour key of a picture.
-/// Tests: tests/render/frame_choice_test.cpp, tests/render/picture_test.cpp
+/// Tests: tests/analysis/render/frame_choice_test.cpp, tests/analysis/render/picture_test.cpp
 #pragma once
 
 #include "analysis/render/text.h"

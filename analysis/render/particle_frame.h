@@ -6,7 +6,7 @@
 ///   f_kat[3] -> contact_radius_um
 /// LIGGGHTS joins three columns of a fix into one vector f_kat[1-3]; both spellings are read.
 /// All other arrays keep their names.
-/// Tests: tests/render/series_test.cpp, tests/render/bad_input_test.cpp
+/// Tests: tests/analysis/render/series_test.cpp, tests/analysis/render/bad_input_test.cpp
 #pragma once
 
 #include <vtkPolyData.h>

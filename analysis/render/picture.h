@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file picture.h
 /// The figure: states of a drop test side by side, colour key, scale bar, title. No display needed.
-/// Tests: tests/render/picture_test.cpp, tests/render/bad_input_test.cpp
+/// Tests: tests/analysis/render/picture_test.cpp, tests/analysis/render/bad_input_test.cpp
 #pragma once
 
 #include <filesystem>

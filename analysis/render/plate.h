@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file plate.h
 /// The plate that carries the particles: a dumped mesh, or a thin box above the plane z = 0.
-/// Tests: tests/render/series_test.cpp
+/// Tests: tests/analysis/render/series_test.cpp
 #pragma once
 
 #include <vtkPolyData.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file png.h
 /// What a window of VTK shows, as the bytes of a PNG.
-/// Tests: tests/render/picture_test.cpp
+/// Tests: tests/analysis/render/picture_test.cpp
 #pragma once
 
 #include <string>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file pvd.h
 /// The list by which ParaView plays files as a series in time.
-/// Tests: tests/render/series_test.cpp, tests/render/flow_test.cpp
+/// Tests: tests/analysis/render/series_test.cpp, tests/analysis/render/flow_test.cpp
 #pragma once
 
 #include <string>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file residual_table.h
 /// kat_results.json as columns that gnuplot reads.
-/// Tests: tests/render/series_test.cpp
+/// Tests: tests/analysis/render/series_test.cpp
 #pragma once
 
 #include <string>

@@ -5,7 +5,7 @@
 ///   post/plate_<step>.vtp|.vtk|.stl      LIGGGHTS, dump mesh/vtk or mesh/stl; only of a mesh plate
 ///   kat_results.json                     critical diameter, impact velocity, time step, particles
 /// The particles hang below the plate (z < plate) and leave downwards; without a mesh the plate is
-/// z = 0. Tests: tests/render/series_test.cpp, tests/render/bad_input_test.cpp
+/// z = 0. Tests: tests/analysis/render/series_test.cpp, tests/analysis/render/bad_input_test.cpp
 #pragma once
 
 #include <filesystem>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file scene.h
 /// One state in perspective: grains with their true radii, the plate above them, lights, camera.
-/// Tests: tests/render/picture_test.cpp
+/// Tests: tests/analysis/render/picture_test.cpp
 #pragma once
 
 #include <vtkSmartPointer.h>

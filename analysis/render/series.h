@@ -2,7 +2,7 @@
 /// \file series.h
 /// Time series for ParaView: particles.pvd and plate.pvd with physical times, and the converted
 /// states in vtk/. LIGGGHTS's own files are left as they are.
-/// Tests: tests/render/series_test.cpp
+/// Tests: tests/analysis/render/series_test.cpp
 #pragma once
 
 #include <filesystem>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file text.h
 /// Text and flat shapes on top of the picture, in pixels from the lower left corner.
-/// Tests: tests/render/picture_test.cpp
+/// Tests: tests/analysis/render/picture_test.cpp
 #pragma once
 
 #include <string>

@@ -3,7 +3,7 @@
 /// A column of a table as a reader wants to see it: "gamma_energy_J_m2" is "Γ energy (J/m²)" at an axis
 /// and "Γ energy" in a sentence.
 /// Errors: none; a name without a known unit keeps all its words.
-/// Tests: tests/report/page_test.cpp
+/// Tests: tests/analysis/report/page_test.cpp
 #pragma once
 
 #include <string>

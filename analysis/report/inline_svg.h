@@ -2,7 +2,7 @@
 /// \file inline_svg.h
 /// An SVG drawing as part of a page: no XML prologue, as wide as its place, and its ids made its
 /// own, so that several drawings of one program do not share their markers.
-/// Tests: tests/report/page_test.cpp
+/// Tests: tests/analysis/report/page_test.cpp
 #pragma once
 
 #include <string>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file provenance.h
 /// Where a report comes from: programs with versions, inputs with fingerprints, command, date.
-/// SOURCE_DATE_EPOCH of the environment replaces the clock. Tests: tests/report/browser_test.sh
+/// SOURCE_DATE_EPOCH of the environment replaces the clock. Tests: tests/analysis/report/browser_test.sh
 #pragma once
 
 #include <filesystem>

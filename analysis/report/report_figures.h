@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file report_figures.h
 /// The figures of a report: tables (CSV) and drawings (SVG) in one folder, drawn by gnuplot with
-/// scripts/plots/report_*.gp. Tests: tests/report/page_test.cpp
+/// scripts/plots/report_*.gp. Tests: tests/analysis/report/page_test.cpp
 #pragma once
 
 #include <filesystem>

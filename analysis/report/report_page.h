@@ -3,7 +3,7 @@
 /// The page of a report: one HTML file that needs nothing else. Its text is in report.html.in,
 /// figure.html.in and parameters.html.in (Mustache, https://mustache.github.io/mustache.5.html);
 /// what comes from studies and tables is escaped.
-/// Tests: tests/report/page_test.cpp, tests/report/browser_test.sh
+/// Tests: tests/analysis/report/page_test.cpp, tests/analysis/report/browser_test.sh
 #pragma once
 
 #include <filesystem>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file report_words.h
 /// A study's result in plain sentences: verdict, where the model fits and fails, what stays open.
-/// Tests: tests/report/study_result_test.cpp
+/// Tests: tests/analysis/report/study_result_test.cpp
 #pragma once
 
 #include <string>

@@ -2,7 +2,7 @@
 /// \file study_result.h
 /// All that a report tells about one study: comparison, diagnosis, curve of the fit, and what
 /// LIGGGHTS made of the same values.
-/// Tests: tests/report/study_result_test.cpp
+/// Tests: tests/analysis/report/study_result_test.cpp
 #pragma once
 
 #include <filesystem>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file typeset.h
 /// Text of the terminal as a page shows it: "chi^2", "um", "J/m^2" as χ², µm, J/m².
-/// Tests: tests/report/page_test.cpp
+/// Tests: tests/analysis/report/page_test.cpp
 #pragma once
 
 #include <string>

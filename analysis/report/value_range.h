@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file value_range.h
 /// Least and largest of the finite values that were added; empty: low > high.
-/// Tests: tests/report/study_result_test.cpp
+/// Tests: tests/analysis/report/study_result_test.cpp
 #pragma once
 
 #include <algorithm>

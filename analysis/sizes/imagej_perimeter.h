@@ -9,7 +9,7 @@
 /// 20, -4.7 at 100. Here p is right within 0.3 % from 15 pixels on and 1.2 % too large at 8 to 10 (means
 /// over 400 disks at random places).
 /// Source: measured with ImageJ 1.53t; its method is PolygonRoi.getTracedPerimeter.
-/// Tests: tests/psd/imagej_tables_test.cpp
+/// Tests: tests/analysis/sizes/imagej_tables_test.cpp
 #pragma once
 
 #include <boost/math/constants/constants.hpp>

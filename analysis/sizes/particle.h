@@ -6,7 +6,7 @@
 ///   circularity = min(1, 4 pi A/P^2) = min(1, (d_P/d_A)^2)
 /// d_P <= d_A, as no shape has a shorter edge than the disk; d_P reacts to a ragged edge and to how
 /// the perimeter of pixels was estimated, d_A to neither (docs/particle_sizes.md).
-/// Tests: tests/psd/particle_table_test.cpp
+/// Tests: tests/analysis/sizes/particle_table_test.cpp
 #pragma once
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 /// \file particle_columns.h
 /// Which column of a table of grains is what, and in which unit: that of the name, `area_um2` or
 /// `Area (mm^2)`, else that of a row of units, else pixels. Known are nm, um, mm, cm and pixels.
-/// Tests: tests/psd/particle_table_test.cpp, tests/psd/table_doubts_test.cpp
+/// Tests: tests/analysis/sizes/particle_table_test.cpp, tests/analysis/sizes/table_doubts_test.cpp
 #pragma once
 
 #include <optional>

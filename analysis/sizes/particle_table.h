@@ -14,7 +14,7 @@
 /// Case does not matter, nor does a dot at the end of a name. Errors are InvalidInput with file,
 /// line and column; different pixel sizes in one set are refused, because what is too small to be
 /// seen then differs from file to file.
-/// Tests: tests/psd/particle_table_test.cpp
+/// Tests: tests/analysis/sizes/particle_table_test.cpp
 #pragma once
 
 #include <filesystem>

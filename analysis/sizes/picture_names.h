@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file picture_names.h
-/// Files that are pictures by their suffix. Tests: tests/analysis/grain_drops_test.cpp
+/// Files that are pictures by their suffix. Tests: tests/analysis/kat/grain_drops_test.cpp
 #pragma once
 
 #include <boost/algorithm/string/case_conv.hpp>

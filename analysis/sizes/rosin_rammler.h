@@ -19,7 +19,7 @@
 /// Sources: P. Rosin, E. Rammler, J. Inst. Fuel 7 (1933) 29; W. Weibull, J. Appl. Mech. 18 (1951) 293;
 /// errors: N. L. Johnson, S. Kotz, Continuous Univariate Distributions 1 (1994), chapter 21; test:
 /// K. Pearson, Phil. Mag. 50 (1900) 157, weights: J. N. K. Rao, A. J. Scott, Ann. Stat. 12 (1984) 46.
-/// Tests: tests/psd/rosin_rammler_test.cpp
+/// Tests: tests/analysis/sizes/rosin_rammler_test.cpp
 #pragma once
 
 #include <limits>

@@ -8,7 +8,7 @@
 /// their values, as nothing is known there.
 /// Symbols: d diameter [um], Y share finer than d [-]. Valid for any N >= 1.
 /// Source: A. Hazen, Trans. ASCE 77 (1914) 1539 (positions).
-/// Tests: tests/psd/size_distribution_test.cpp
+/// Tests: tests/analysis/sizes/size_distribution_test.cpp
 #pragma once
 
 #include <vector>

@@ -9,7 +9,7 @@
 ///
 /// Beyond them: InvalidInput with the row, its reason told where a known one fits: another definition of
 /// circularity, units that differ, points or commas that group thousands. Single rows are noted.
-/// Tests: tests/psd/table_doubts_test.cpp
+/// Tests: tests/analysis/sizes/table_doubts_test.cpp
 #pragma once
 
 #include <optional>

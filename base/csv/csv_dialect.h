@@ -3,7 +3,7 @@
 /// How the cells of a table are separated, told by the table itself: a line `sep=X` on top, as Excel
 /// knows it; else the first of tab, semicolon, comma and bar that gives the header and the rows below
 /// it the same number of cells; else runs of spaces, if they do.
-/// Tests: tests/analysis/csv_table_test.cpp
+/// Tests: tests/base/csv_table_test.cpp
 #pragma once
 
 #include <string_view>

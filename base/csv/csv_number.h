@@ -8,7 +8,7 @@
 ///
 /// "1.399" is 1.399 or 1399, "1,8" is 1.8 in any country: what one cell leaves open the others of its
 /// column decide, and then those of the other columns (csv_table.h).
-/// Tests: tests/analysis/csv_table_test.cpp
+/// Tests: tests/base/csv_table_test.cpp
 #pragma once
 
 #include <optional>

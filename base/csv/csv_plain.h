@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file csv_plain.h
 /// A table in the program's own form, to which rows may be added: UTF-8, commas, decimal points.
-/// Tests: tests/analysis/table_commands_test.cpp
+/// Tests: tests/analysis/program/table_commands_test.cpp
 #pragma once
 
 #include <string>

@@ -5,7 +5,7 @@
 /// Beyond it: a quote inside a cell without quotes is a character, as in the labels that ImageJ writes
 /// (5" tube). That keeps libcsv from this place: its strict mode refuses such labels, the other one
 /// takes what follows a quote that was never closed, rows included, for one cell without a word.
-/// Tests: tests/analysis/csv_table_test.cpp, tests/psd/particle_table_test.cpp
+/// Tests: tests/base/csv_table_test.cpp, tests/analysis/sizes/particle_table_test.cpp
 #pragma once
 
 #include <string>

@@ -11,8 +11,8 @@
 ///
 /// Left out: empty rows, the header again, columns without name and cells at the right end.
 /// Cells are kept as text. Every error is InvalidInput and names file, line and column.
-/// Tests: tests/analysis/csv_table_test.cpp, tests/analysis/measurements_test.cpp,
-/// tests/psd/particle_table_test.cpp
+/// Tests: tests/base/csv_table_test.cpp, tests/analysis/kat/measurements_test.cpp,
+/// tests/analysis/sizes/particle_table_test.cpp
 #pragma once
 
 #include <filesystem>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file csv_units.h
 /// Units as tables write them: in a row of their own under the header, or in brackets.
-/// Tests: tests/analysis/csv_table_test.cpp
+/// Tests: tests/base/csv_table_test.cpp
 #pragma once
 
 #include <string>

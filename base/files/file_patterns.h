@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file file_patterns.h
 /// Names and patterns that users give where several files are read.
-/// Tests: tests/psd/particle_table_test.cpp
+/// Tests: tests/analysis/sizes/particle_table_test.cpp
 #pragma once
 
 #include <filesystem>

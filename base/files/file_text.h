@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file file_text.h
 /// The whole content of a file.
-/// Tests: tests/report/gnuplot_test.cpp, tests/render/bad_input_test.cpp
+/// Tests: tests/base/gnuplot_test.cpp, tests/analysis/render/bad_input_test.cpp
 #pragma once
 
 #include <filesystem>

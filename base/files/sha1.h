@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file sha1.h
-/// The fingerprint of a text. Tests: tests/report/gnuplot_test.cpp
+/// The fingerprint of a text. Tests: tests/base/gnuplot_test.cpp
 #pragma once
 
 #include <string>

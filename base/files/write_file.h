@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file write_file.h
 /// Results appear whole or not at all: written beside, then renamed.
-/// Tests: tests/analysis/commands_test.cpp, tests/kat_drop/kat_results_test.cpp, tests/render/bad_input_test.cpp
+/// Tests: tests/analysis/program/commands_test.cpp, tests/liggghts_styles/kat_drop/kat_results_test.cpp, tests/analysis/render/bad_input_test.cpp
 #pragma once
 
 #include <filesystem>

@@ -6,7 +6,7 @@
 /// What gnuplot leaves undone is mended: blanks at a change of font and the family of italics are
 /// kept in every viewer; labels `with labels hypertext` become <title> elements, which browsers show
 /// on hover without a script.
-/// Tests: tests/report/gnuplot_test.cpp, tests/analysis/flow_command_test.cpp
+/// Tests: tests/base/gnuplot_test.cpp, tests/analysis/program/flow_command_test.cpp
 #pragma once
 
 #include <filesystem>

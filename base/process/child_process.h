@@ -2,7 +2,7 @@
 /// \file child_process.h
 /// Runs a program in its own folder with its output in a file and a limit on its wall time. When
 /// this program is interrupted or terminated, its children are ended first.
-/// Tests: tests/analysis/kat_run_test.cpp
+/// Tests: tests/analysis/kat/kat_run_test.cpp
 #pragma once
 
 #include <filesystem>

@@ -2,7 +2,7 @@
 /// \file progress.h
 /// One line on stderr that says how far a long job is and how long it will still take. On a
 /// terminal the line is rewritten; in a log every step gets a line. Safe for several threads.
-/// Tests: tests/analysis/kat_run_test.cpp
+/// Tests: tests/analysis/kat/kat_run_test.cpp
 #pragma once
 
 #include <chrono>

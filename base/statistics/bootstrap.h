@@ -6,7 +6,7 @@
 /// Valid for statistics that vary smoothly with the sample: quantiles, means, fits; not for the
 /// largest or smallest grain. Percentile intervals of few grains (< 30) are somewhat too narrow.
 /// Source: B. Efron, R. Tibshirani, An Introduction to the Bootstrap (1993), chapters 6 and 13.
-/// Tests: tests/psd/size_distribution_test.cpp
+/// Tests: tests/analysis/sizes/size_distribution_test.cpp
 #pragma once
 
 #include <cstdint>

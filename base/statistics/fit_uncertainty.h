@@ -10,7 +10,7 @@
 /// Symbols: J jacobian of the residuals, which are in sigmas.
 /// Validity: intervals any problem with one valley; covariance and left out where residuals are nearly
 /// linear. Errors: none. Source: D. J. Venzon, S. H. Moolgavkar, Appl. Statist. 37 (1988) 87.
-/// Tests: tests/analysis/study_fit_test.cpp
+/// Tests: tests/analysis/evidence/study_fit_test.cpp
 #pragma once
 
 #include <Eigen/Core>

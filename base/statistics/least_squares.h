@@ -5,7 +5,7 @@
 ///
 ///   chi^2(x) = sum r_i(x)^2, r in sigmas
 ///
-/// Tests: tests/analysis/study_fit_test.cpp
+/// Tests: tests/analysis/evidence/study_fit_test.cpp
 #pragma once
 
 #include <Eigen/Core>

@@ -10,7 +10,7 @@
 /// Holm's correction keeps the chance of any false alarm among m tests at that of one.
 /// Symbols: r residuals in sigmas, n rows, k fitted parameters, x a column.
 /// Source: S. Holm, Scand. J. Statist. 6 (1979) 65; C. Spearman 1904; A. Wald, J. Wolfowitz 1940.
-/// Tests: tests/analysis/evidence_trends_test.cpp
+/// Tests: tests/analysis/evidence/evidence_trends_test.cpp
 #pragma once
 
 #include <string>

@@ -11,7 +11,7 @@
 /// What is no text (workbooks, pictures, archives) is InvalidInput that names what it is, and so is
 /// damaged UTF-16 and UTF-32, with its line.
 /// Source: WHATWG Encoding Standard for the order; conversion by iconv (POSIX), UTF-8 by UTF8-CPP.
-/// Tests: tests/analysis/text_encoding_test.cpp
+/// Tests: tests/base/text_encoding_test.cpp
 #pragma once
 
 #include <filesystem>

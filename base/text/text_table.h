@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file text_table.h
 /// Aligned columns for the terminal: the first column flush left, the others flush right.
-/// Tests: tests/analysis/commands_test.cpp
+/// Tests: tests/analysis/program/commands_test.cpp
 #pragma once
 
 #include <string>

@@ -2,7 +2,7 @@
 /// \file units.h
 /// The unit that a name carries as its suffix: "tau_s" -> "s", "v_star_m_s" -> "m/s".
 /// A name without one, such as "exponent", has "-".
-/// Tests: tests/analysis/commands_test.cpp
+/// Tests: tests/analysis/program/commands_test.cpp
 #pragma once
 
 #include <string>

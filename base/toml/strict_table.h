@@ -2,7 +2,7 @@
 /// \file strict_table.h
 /// One table of a TOML file that knows its keys: unknown keys, wrong types and missing values are
 /// InvalidInput with file, line, table and key.
-/// Tests: tests/analysis/study_test.cpp
+/// Tests: tests/analysis/kat/study_test.cpp
 #pragma once
 
 #include <toml++/toml.h>

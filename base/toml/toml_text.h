@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file toml_text.h
-/// Text as TOML has it. Tests: tests/analysis/study_test.cpp
+/// Text as TOML has it. Tests: tests/analysis/kat/study_test.cpp
 #pragma once
 
 #include <string>

@@ -17,7 +17,7 @@ Description
     dictionaries is what the caller has set.
 
 Tests
-    tests/coupling_foam/foam_files_test.sh
+    tests/coupling/foam/foam_files_test.sh
 
 \*---------------------------------------------------------------------------*/
 

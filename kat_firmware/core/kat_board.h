@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file kat_board.h
 /// What the core needs of a board. Bound to pins by the sketch, to a simulated drop by the tests.
-/// Tests: tests/firmware/parts_test.cpp
+/// Tests: tests/kat_firmware/parts_test.cpp
 #ifndef KAT_BOARD_H
 #define KAT_BOARD_H
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file kat_codes.h
-/// Names of faults, refusals, damaged lines and states. Tests: tests/firmware/line_test.cpp
+/// Names of faults, refusals, damaged lines and states. Tests: tests/kat_firmware/line_test.cpp
 #ifndef KAT_CODES_H
 #define KAT_CODES_H
 

@@ -2,7 +2,7 @@
 /// \file kat_config.h
 /// What a user may set, with limits; times are below 2^31 us so that differences of a 32-bit clock
 /// tell before from after. Kept in memory only: the computer sends it, and every report repeats the
-/// geometry. One line in kat_config.def per key. Tests: tests/firmware/parts_test.cpp
+/// geometry. One line in kat_config.def per key. Tests: tests/kat_firmware/parts_test.cpp
 #ifndef KAT_CONFIG_H
 #define KAT_CONFIG_H
 

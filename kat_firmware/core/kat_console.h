@@ -10,7 +10,7 @@
 ///
 /// Every command is answered by `ok` or `error` with a code. The lines of version and status come before
 /// their `ok`; those of config and report after it, with `done` behind them.
-/// Tests: tests/firmware/console_test.cpp
+/// Tests: tests/kat_firmware/console_test.cpp
 #ifndef KAT_CONSOLE_H
 #define KAT_CONSOLE_H
 

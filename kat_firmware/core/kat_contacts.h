@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file kat_contacts.h
 /// Contacts of carrier and anvil, bounce by bounce, to the microsecond. A gap of at most merge_us is
-/// chatter of the same contact, and is counted. Tests: tests/firmware/parts_test.cpp
+/// chatter of the same contact, and is counted. Tests: tests/kat_firmware/parts_test.cpp
 #ifndef KAT_CONTACTS_H
 #define KAT_CONTACTS_H
 

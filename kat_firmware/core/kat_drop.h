@@ -9,7 +9,7 @@
 ///   contact  n, i, start_us, duration_us, chatter      one line per contact that was kept
 ///   end      n, contacts, finished, lines              how many lines came before: a cut report shows
 ///
-/// Tests: tests/firmware/drop_test.cpp
+/// Tests: tests/kat_firmware/drop_test.cpp
 #ifndef KAT_DROP_H
 #define KAT_DROP_H
 

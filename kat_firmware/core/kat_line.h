@@ -7,7 +7,7 @@
 /// KAT and the version, a word, at most ten fields, and the CRC-16 of all before the asterisk as four
 /// hexadecimal digits (capitals). Lines end in \n; \r is allowed before it. `-` is a value that was
 /// not measured. Printable ASCII only, 159 characters at most.
-/// Tests: tests/firmware/line_test.cpp
+/// Tests: tests/kat_firmware/line_test.cpp
 #ifndef KAT_LINE_H
 #define KAT_LINE_H
 

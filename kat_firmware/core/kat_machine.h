@@ -7,8 +7,8 @@
 ///
 /// Every state but idle and fault has a limit. In report, fault and idle magnet and sensors are off.
 /// A test either ends in report, measured from a complete and consistent set of edges, or in a fault
-/// with a name. docs/kat_device.md has the table. Tests: tests/firmware/machine_test.cpp,
-/// tests/firmware/fuzz_test.cpp
+/// with a name. docs/kat_device.md has the table. Tests: tests/kat_firmware/machine_test.cpp,
+/// tests/kat_firmware/fuzz_test.cpp
 #ifndef KAT_MACHINE_H
 #define KAT_MACHINE_H
 

@@ -3,7 +3,7 @@
 /// Edges on their way from interrupts to the loop. One producer (interrupts that do not interrupt
 /// each other, as on SAMD21's EIC and on AVR), one consumer. A full ring drops the new edge and keeps
 /// that in mind: a measurement with a lost edge must not look whole.
-/// Tests: tests/firmware/parts_test.cpp
+/// Tests: tests/kat_firmware/parts_test.cpp
 #ifndef KAT_RING_H
 #define KAT_RING_H
 

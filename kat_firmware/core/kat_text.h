@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file kat_text.h
 /// The few functions on text that the core needs, so that it links without a C library.
-/// Tests: tests/firmware/line_test.cpp
+/// Tests: tests/kat_firmware/line_test.cpp
 #ifndef KAT_TEXT_H
 #define KAT_TEXT_H
 

@@ -11,7 +11,7 @@
 /// Symbols: h carrier_um, L beam_um from the beam to the anvil [um], t, T [us], u, v, w [um/s].
 /// Validity: free fall, h <= L, u >= 0. Source: h/t at the beam and gravity over the rest of the drop,
 /// L. Pedrolli, doctoral thesis, University of Deusto; half time and flight time are worked out here.
-/// Rounding: below 1e-5 of v for t above 100 us. Tests: tests/firmware/parts_test.cpp
+/// Rounding: below 1e-5 of v for t above 100 us. Tests: tests/kat_firmware/parts_test.cpp
 #ifndef KAT_VELOCITY_H
 #define KAT_VELOCITY_H
 

@@ -8,7 +8,7 @@
 /// leaves stale there filled in. Friction and rolling resistance are limited by the load that
 /// presses the contact (physics/contact/friction_load.h), not by the net force: they read it through `Fn`
 /// and `kn * deltan`.
-/// Tests: tests/host/contact_test.cpp
+/// Tests: tests/liggghts_styles/contact_test.cpp
 #pragma once
 
 #include "liggghts_styles/contact/normal_model_jkr.h"

@@ -6,7 +6,7 @@
 /// across the gap and the stop of the plate. Parameters in the order that `powderlink effects`
 /// prints, all or none (then the typical values). The fix itself computes nothing, and warns at the start of
 /// a run in which nothing reads it.
-/// Tests: tests/host/kat_drop_test.cpp, tests/host/bad_input_test.cpp
+/// Tests: tests/liggghts_styles/kat_drop_test.cpp, tests/liggghts_styles/bad_input_test.cpp
 #pragma once
 
 #include <memory>

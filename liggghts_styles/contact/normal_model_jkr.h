@@ -9,7 +9,7 @@
 ///          fix ID all property/global workOfAdhesion peratomtypepair N G11 G12 ...   [J/m^2]
 ///          (work of adhesion of the interface, not the surface energy of one solid).
 /// History: one value per contact, sqrt(contact radius); 0 is "not in contact".
-/// Tests: tests/host/contact_test.cpp, tests/host/bad_input_test.cpp
+/// Tests: tests/liggghts_styles/contact_test.cpp, tests/liggghts_styles/bad_input_test.cpp
 #pragma once
 
 #include <memory>

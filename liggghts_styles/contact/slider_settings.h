@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file slider_settings.h
 /// What tangential model `spring_slider_dashpot` takes from the script beside friction.
-/// Tests: tests/host/slider_test.cpp
+/// Tests: tests/liggghts_styles/slider_test.cpp
 #pragma once
 
 namespace LAMMPS_NS {

@@ -12,7 +12,7 @@
 ///
 /// The spring is turned with the contact, as LIGGGHTS does and the clouds do not. Its dashpot is the
 /// normal one, whatever `tangential_damping` says.
-/// Tests: tests/host/slider_test.cpp
+/// Tests: tests/liggghts_styles/slider_test.cpp
 #ifdef TANGENTIAL_MODEL
 TANGENTIAL_MODEL(TANGENTIAL_SPRING_SLIDER_DASHPOT, spring_slider_dashpot, 20)
 #else

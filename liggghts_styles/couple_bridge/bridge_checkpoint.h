@@ -5,7 +5,7 @@
 ///
 /// Doubles: format, step, ahead_s, number of ranks, how many particles have vanished, how many numbers
 /// were counted; the numbers of the former, the latter; then per rank a count and its numbers.
-/// Tests: tests/host/couple_bridge_restart_test.cpp
+/// Tests: tests/liggghts_styles/couple_bridge_restart_test.cpp
 #pragma once
 
 #include <cstdint>

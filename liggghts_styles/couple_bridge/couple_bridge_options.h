@@ -11,7 +11,7 @@
 ///       [case NAME]                 default: name of the current folder
 ///       [checkpoint FILE-PREFIX]    default post/restart.
 ///       [sizes like|any]            of LIGGGHTS's box and the mesh; like: within a factor of 100
-/// Tests: tests/host/couple_bridge_options_test.cpp
+/// Tests: tests/liggghts_styles/couple_bridge_options_test.cpp
 #pragma once
 
 #include <string>

@@ -3,7 +3,7 @@
 /// What start, fix and end of the process tell each other: the start tells the fix that couples which
 /// other program shares the mpirun; the fix tells the end that both have parted in order; and errors
 /// find their way to the other program's log.
-/// Tests: tests/host/couple_world_test.cpp, tests/host/script_loops_test.cpp
+/// Tests: tests/liggghts_styles/couple_world_test.cpp, tests/liggghts_styles/script_loops_test.cpp
 #pragma once
 
 #include "coupling/bridge/transport/mpi_world.h"

@@ -25,7 +25,7 @@
 /// f_ID[4]     coupled particles
 /// f_ID[5]     wall time spent in exchanges, waiting for the solver included [s]
 /// f_ID[6..8]  reaction impulse that was not sent [N s]: zero up to round-off
-/// Tests: tests/host/couple_bridge_test.cpp, tests/host/couple_bridge_ends_test.cpp
+/// Tests: tests/liggghts_styles/couple_bridge_test.cpp, tests/liggghts_styles/couple_bridge_ends_test.cpp
 #pragma once
 
 #include <cstdio>

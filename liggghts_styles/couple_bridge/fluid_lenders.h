@@ -2,7 +2,7 @@
 /// \file fluid_lenders.h
 /// The particles of this rank that the solver knows, with their values: a new particle finds the nearest
 /// one. Time n log n for n of them, log n for each new one.
-/// Tests: tests/host/couple_bridge_traffic_test.cpp
+/// Tests: tests/liggghts_styles/couple_bridge_traffic_test.cpp
 #pragma once
 
 #include <cstddef>

@@ -4,7 +4,7 @@
 ///
 /// Fluid velocity, spin and fraction as they are; drag in proportion to the radius (Stokes), rotational
 /// drag, pressure force and added mass to the volume; no other force. Stored per m, per m^3.
-/// Tests: tests/host/couple_bridge_test.cpp
+/// Tests: tests/liggghts_styles/couple_bridge_test.cpp
 #pragma once
 
 #include <array>

@@ -13,7 +13,7 @@
 /// a terminal velocity under weight in LIGGGHTS is x/2 (relative) above the exact one for small x.
 /// a and d hold as long as K, u, F and M do, so they are made once per exchange.
 /// Source: physics/fluid_forces/semi_implicit_step.h, the same step (exponential Euler).
-/// Tests: tests/host/fluid_relaxation_test.cpp; on falling spheres tests/forces/settling_test.cpp
+/// Tests: tests/liggghts_styles/fluid_relaxation_test.cpp; on falling spheres tests/physics/fluid_forces/settling_test.cpp
 #pragma once
 
 #include <cmath>

@@ -10,7 +10,7 @@
 ///   }
 ///
 /// Tags are used again: a particle is known by its id and by whether it came after the last exchange.
-/// Tests: tests/host/couple_bridge_traffic_test.cpp
+/// Tests: tests/liggghts_styles/couple_bridge_traffic_test.cpp
 #pragma once
 
 #include <map>

@@ -18,7 +18,7 @@
 /// Spins are free where fix nve/sphere (or a style that is not LIGGGHTS's own) integrates, nve and
 /// nve/limit leave them alone. Fixes are looked at when a run begins, groups and regions in each step.
 /// Source: LIGGGHTS 3.8.0, Fix::time_integrate and the fixes of the table.
-/// Tests: tests/host/couple_bridge_held_test.cpp
+/// Tests: tests/liggghts_styles/couple_bridge_held_test.cpp
 #pragma once
 
 #include <vector>

@@ -7,7 +7,7 @@
 ///
 /// To be called between Comm::exchange() and Comm::borders(): there are no ghosts, and the map of tags
 /// is made anew. O(n log n).
-/// Tests: tests/host/couple_bridge_restart_test.cpp
+/// Tests: tests/liggghts_styles/couple_bridge_restart_test.cpp
 #pragma once
 
 #include "lammps.h"

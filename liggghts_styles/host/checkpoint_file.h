@@ -5,7 +5,7 @@
 /// LIGGGHTS writes without looking whether the disk took it. So the file is written beside its name,
 /// its end is read back (the blocks of all ranks with their lengths are the last part of the format),
 /// and only then it gets its name; what was there before stays until that moment.
-/// Tests: tests/host/couple_bridge_restart_test.cpp
+/// Tests: tests/liggghts_styles/couple_bridge_restart_test.cpp
 #pragma once
 
 #include <string>

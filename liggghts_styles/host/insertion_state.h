@@ -6,7 +6,7 @@
 ///
 /// LIGGGHTS keeps of that in its restart files the seed of rank 0 only, and neither the generators of
 /// meshes and regions nor the second number of a Gaussian pair: after a restart other particles come.
-/// Tests: tests/host/couple_bridge_restart_test.cpp
+/// Tests: tests/liggghts_styles/couple_bridge_restart_test.cpp
 #pragma once
 
 #include <string>

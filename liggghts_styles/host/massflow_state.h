@@ -3,7 +3,7 @@
 /// What fix massflow/mesh has counted, and its restart file forgets: the number of particles, the sum of
 /// the property, and the interval of its rates, which also every look at them changes. Mass and what was
 /// deleted it keeps by itself; the side of the mesh on which a particle is, is a property of the particle.
-/// Tests: tests/host/couple_bridge_restart_test.cpp
+/// Tests: tests/liggghts_styles/couple_bridge_restart_test.cpp
 #pragma once
 
 #include <vector>

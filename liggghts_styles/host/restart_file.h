@@ -12,7 +12,7 @@
 /// Of a single file the blocks are the end: as many as the head says, with as many atoms, and nothing
 /// after them. A name with % stands for a head file (`base` in its place) and a file per rank with its
 /// block.
-/// Tests: tests/host/restart_file_test.cpp, on files of LIGGGHTS
+/// Tests: tests/liggghts_styles/restart_file_test.cpp, on files of LIGGGHTS
 #pragma once
 
 #include <cstdint>

@@ -28,7 +28,7 @@
 /// quadrature and must stay at round-off; a force that another fix adds after this one shows up
 /// there. "Dissipated" is what the contact took and its closed-form energy does not hold: damping,
 /// and the neck's energy at tear-off.
-/// Tests: tests/host/kat_drop_test.cpp, tests/host/critical_speed_test.cpp
+/// Tests: tests/liggghts_styles/kat_drop_test.cpp, tests/liggghts_styles/critical_speed_test.cpp
 #pragma once
 
 #include <memory>

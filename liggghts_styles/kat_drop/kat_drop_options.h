@@ -14,7 +14,7 @@
 ///                                        | rosinrammler X0 EXPONENT DMIN DMAX N SEED]
 ///       [results FILE]               JSON, written when the test is over
 /// SI units. FILE of the stop: two columns, time [s] and deceleration [m/s^2], '#' comments.
-/// Tests: tests/kat_drop/kat_drop_options_test.cpp
+/// Tests: tests/liggghts_styles/kat_drop/kat_drop_options_test.cpp
 #pragma once
 
 #include <string>

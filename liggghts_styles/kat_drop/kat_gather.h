@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file kat_gather.h
-/// The grains of all ranks in one place. Tests: tests/kat_drop/gather_program.cpp
+/// The grains of all ranks in one place. Tests: tests/liggghts_styles/kat_drop/gather_program.cpp
 #pragma once
 
 #include <vector>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file kat_population.h
 /// Sizes of the grains of a Kinetic Adhesion Test, and their places on the plate.
-/// Tests: tests/kat_drop/kat_population_test.cpp
+/// Tests: tests/liggghts_styles/kat_drop/kat_population_test.cpp
 #pragma once
 
 #include <cstdint>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file kat_results.h
 /// The JSON file that `fix kat/drop ... results FILE` writes when the test is over: its one writer and its
-/// one reader. Tests: tests/kat_drop/kat_results_test.cpp, tests/render/bad_input_test.cpp
+/// one reader. Tests: tests/liggghts_styles/kat_drop/kat_results_test.cpp, tests/analysis/render/bad_input_test.cpp
 #pragma once
 
 #include <filesystem>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file kat_run_command.h
 /// `kat/run FIX-ID`: runs until the Kinetic Adhesion Test of that fix kat/drop is over.
-/// Tests: tests/host/kat_drop_test.cpp, tests/host/script_loops_test.cpp
+/// Tests: tests/liggghts_styles/kat_drop_test.cpp, tests/liggghts_styles/script_loops_test.cpp
 #pragma once
 
 namespace LAMMPS_NS {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file plate_contacts.h
 /// Looks up whether a grain sticks to a wall: sqrt(contact radius) in the contact history of `jkr`.
-/// Tests: tests/host/kat_drop_test.cpp
+/// Tests: tests/liggghts_styles/kat_drop_test.cpp
 #pragma once
 
 #include <string>

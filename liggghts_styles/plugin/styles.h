@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file styles.h
 /// Makes powderlink's fixes and commands known to one LIGGGHTS instance.
-/// Tests: tests/host/plugin_test.cpp
+/// Tests: tests/liggghts_styles/plugin_test.cpp
 #pragma once
 
 namespace LAMMPS_NS {

@@ -12,7 +12,7 @@
 /// [m]; mu friction coefficient [-].
 /// Validity: JKR contacts, neck included (there F >= -F_po).
 /// Source: C. Thornton, J. Phys. D 24 (1991) 1942.
-/// Tests: tests/models/contact_laws_test.cpp
+/// Tests: tests/physics/contact_laws_test.cpp
 #pragma once
 
 #include <cmath>

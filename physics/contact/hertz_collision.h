@@ -19,7 +19,7 @@
 /// Validity: delta_m << R*, v far below the solid's speed of sound, no plastic flow, no adhesion.
 /// Source: H. Hertz (1881), Johnson, Contact Mechanics, Section 11.4; D. Antypov and J. A. Elliott,
 /// EPL 94 (2011) 50004.
-/// Tests: tests/models/collision_test.cpp
+/// Tests: tests/physics/collision_test.cpp
 #pragma once
 
 #include <boost/math/quadrature/tanh_sinh.hpp>

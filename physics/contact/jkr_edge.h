@@ -11,7 +11,7 @@
 /// effective Young's modulus [Pa], G and Gamma [J/m^2], F [N].
 /// Validity: a << R*; the interface's processes are confined to the edge.
 /// Source: D. Maugis, M. Barquins, J. Phys. D 11 (1978) 1989.
-/// Tests: tests/models/jkr_law_test.cpp
+/// Tests: tests/physics/jkr_law_test.cpp
 #pragma once
 
 #include "physics/contact/jkr_law.h"

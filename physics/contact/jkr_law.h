@@ -19,7 +19,7 @@
 /// Validity: Tabor parameter above about 5, a << R*. Gamma = 0 gives Hertz.
 /// Source: thesis of L. Pedrolli, Eqs. 3.24-3.25 (with the errata of docs/theory.md);
 /// Johnson, Kendall, Roberts, Proc. R. Soc. A 324 (1971) 301.
-/// Tests: tests/models/jkr_law_test.cpp
+/// Tests: tests/physics/jkr_law_test.cpp
 #pragma once
 
 #include <cmath>

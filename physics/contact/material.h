@@ -8,7 +8,7 @@
 /// Symbols: E Young's modulus [Pa], nu Poisson's ratio [-]; E*, G* effective moduli [Pa].
 /// Validity: linear isotropic solids.
 /// Source: Johnson, Contact Mechanics, Eqs. 4.20 and 7.43.
-/// Tests: tests/models/material_test.cpp
+/// Tests: tests/physics/material_test.cpp
 #pragma once
 
 #include <cmath>

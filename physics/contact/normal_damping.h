@@ -14,7 +14,7 @@
 /// Validity: e is the restitution of the non-adhesive Hertz contact.
 /// Source: Tsuji et al., Powder Technol. 71 (1992) 239; thesis of L. Pedrolli, Appendix B, with
 /// 2 sqrt(5/6) for the printed 5/3 and m* the reduced mass.
-/// Tests: tests/models/contact_laws_test.cpp
+/// Tests: tests/physics/contact_laws_test.cpp
 #pragma once
 
 #include <cmath>

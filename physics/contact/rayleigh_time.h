@@ -8,7 +8,7 @@
 /// ratio [-].
 /// Validity: explicit integration wants 0.1-0.2 dt_R; above 0.5 dt_R powderlink refuses to run.
 /// Source: Thornton and Randall, in Micromechanics of Granular Materials (1988) 133.
-/// Tests: tests/models/contact_laws_test.cpp
+/// Tests: tests/physics/contact_laws_test.cpp
 #pragma once
 
 #include <cmath>

@@ -17,7 +17,7 @@
 /// Validity: JKR before and after; overlaps small against R*.
 /// Source: Johnson, Kendall, Roberts, Proc. R. Soc. A 324 (1971) 301; sticking speed: C. Thornton
 /// and Z. Ning, Powder Technol. 99 (1998) 154; similarity: from the law (jkr_law.h).
-/// Tests: tests/models/collision_test.cpp
+/// Tests: tests/physics/collision_test.cpp
 #pragma once
 
 #include <cmath>

@@ -29,7 +29,7 @@
 /// Source: Y. Tsuji et al., Powder Technol. 71 (1992) 239; the oscillator: D. Antypov and J. A.
 /// Elliott, EPL 94 (2011) 50004; the clouds: PairSpringSliderDashpot.C and
 /// WallSpringSliderDashpot.C of OpenFOAM v1912.
-/// Tests: tests/models/collision_test.cpp, tests/host/slider_test.cpp (beside OpenFOAM itself)
+/// Tests: tests/physics/collision_test.cpp, tests/liggghts_styles/slider_test.cpp (beside OpenFOAM itself)
 #pragma once
 
 #include <cmath>

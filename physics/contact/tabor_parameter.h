@@ -8,7 +8,7 @@
 /// modulus [Pa], z0 equilibrium separation of the surfaces [m], about 0.3 nm.
 /// Validity: mu_T > 5 JKR, mu_T < 0.1 DMT, Maugis-Dugdale between.
 /// Source: D. Tabor, J. Colloid Interface Sci. 58 (1977) 2.
-/// Tests: tests/models/contact_laws_test.cpp
+/// Tests: tests/physics/contact_laws_test.cpp
 #pragma once
 
 #include <cmath>

@@ -14,7 +14,7 @@
 /// [J/m^2]; G energy release rate [J/m^2] (jkr_edge.h); phi fracture energy over Gamma_eff [-].
 /// Sign: forces > 0 push apart. Validity: that of JKR and of the effects that are switched on.
 /// Source: jkr_law.h, jkr_edge.h and the effects' own headers.
-/// Tests: tests/models/adhesive_contact_test.cpp
+/// Tests: tests/physics/adhesive_contact_test.cpp
 #pragma once
 
 #include <cmath>

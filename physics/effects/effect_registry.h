@@ -2,7 +2,7 @@
 /// \file effect_registry.h
 /// All effects by name: what `powderlink effects` prints and what studies and scripts may switch
 /// on. No two effects share a name, and no two parameters: fits, tables and JSON call them by it.
-/// Tests: tests/models/effects_test.cpp
+/// Tests: tests/physics/effects_test.cpp
 #pragma once
 
 #include <functional>

@@ -10,7 +10,7 @@
 /// A bridge is an attraction that a touch must form (Effect::formed_by_touch).
 /// Validity: each attraction only falls with the gap.
 /// Source: energy conservation; the laws are those of physics/effects/laws/.
-/// Tests: tests/analysis/reduced_model_test.cpp, tests/host/kat_drop_test.cpp
+/// Tests: tests/analysis/kat/reduced_model_test.cpp, tests/liggghts_styles/kat_drop_test.cpp
 #pragma once
 
 #include <algorithm>

@@ -25,7 +25,7 @@
 /// not `buoyancy` (the dynamic pressure and the weight have).
 /// Source: D. Gidaspow, Multiphase Flow and Fluidization (1994), Chapter 2 (A and B); Z.Y. Zhou,
 /// S.B. Kuang, K.W. Chu, A.B. Yu, J. Fluid Mech. 661 (2010) 482, sets II (A) and III (B).
-/// Tests: tests/forces/registry_test.cpp, tests/forces/packed_bed_test.cpp
+/// Tests: tests/physics/fluid_forces/registry_test.cpp, tests/physics/fluid_forces/packed_bed_test.cpp
 #pragma once
 
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file force_registry.h
 /// All fluid-particle forces by name: what `constant/couplingProperties` may list.
-/// Tests: tests/forces/registry_test.cpp
+/// Tests: tests/physics/fluid_forces/registry_test.cpp
 #pragma once
 
 #include <functional>

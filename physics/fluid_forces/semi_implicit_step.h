@@ -14,7 +14,7 @@
 /// u + F/K for x -> infinity. With K taken at v the error is of first order, of second when K is taken
 /// anew at the velocity of half a step.
 /// Source: M. Hochbruck, A. Ostermann, Acta Numerica 19 (2010) 209 (exponential Euler).
-/// Tests: tests/forces/settling_test.cpp, tests/host/fluid_relaxation_test.cpp
+/// Tests: tests/physics/fluid_forces/settling_test.cpp, tests/liggghts_styles/fluid_relaxation_test.cpp
 #pragma once
 
 #include <cmath>

@@ -7,7 +7,7 @@
 /// without the hydrostatic part rho_f g.x, which the force `buoyancy` accounts for. A solver whose
 /// pressure holds that part hands over grad p - rho_f g.
 /// Velocities are interstitial (not superficial) and refer to any common inertial frame.
-/// Tests: tests/forces/registry_test.cpp
+/// Tests: tests/physics/fluid_forces/registry_test.cpp
 #pragma once
 
 #include <cmath>

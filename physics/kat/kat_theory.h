@@ -18,7 +18,7 @@
 /// The factor 1.0107 is not rounded here: the energies come from JkrLaw.
 /// Validity: JKR; instant: stop much shorter than the contact's period; slow: much longer.
 /// Source: thesis of L. Pedrolli, Sections 2.1 and 4.2, with the errata of docs/theory.md.
-/// Tests: tests/models/kat_theory_test.cpp
+/// Tests: tests/physics/kat_theory_test.cpp
 #pragma once
 
 #include <cmath>

@@ -14,7 +14,7 @@
 /// Sign: A > 0 slows the plate; in its frame it pushes the particles away from it, along the fall.
 /// Validity: the plate is stiff and much heavier than the powder on it.
 /// Source: thesis of L. Pedrolli, Section 4.3; sin^(3/2): Johnson, Contact Mechanics, Section 11.4.
-/// Tests: tests/models/stop_pulse_test.cpp
+/// Tests: tests/physics/stop_pulse_test.cpp
 #pragma once
 
 #include <algorithm>

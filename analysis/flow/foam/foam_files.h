@@ -6,7 +6,7 @@
 /// line, comments, quoted and regular keys, the last of several; FILE.gz where FILE is not there.
 /// Directives that compile code (#calc, #codeStream) are never run; what comes of them is refused.
 /// POWDERLINK_FOAM of the environment names the program, else it is beside this one.
-/// Tests: tests/analysis/foam_files_test.cpp
+/// Tests: tests/analysis/flow/foam_files_test.cpp
 #pragma once
 
 #include <array>

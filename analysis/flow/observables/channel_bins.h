@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file channel_bins.h
 /// A hundred equal bins along a channel, downstream or not: bin i is [low + i d, low + (i + 1) d).
-/// Tests: tests/analysis/flow_observables_test.cpp
+/// Tests: tests/analysis/flow/flow_observables_test.cpp
 #pragma once
 
 #include <optional>

@@ -4,7 +4,7 @@
 /// How many of them a stream of independent grains would show by chance is known: with p the
 /// probability of a slice above the threshold (Poisson) and n slices,
 ///   E = p^L (1 + (n - L) (1 - p))
-/// Tests: tests/analysis/flow_observables_test.cpp
+/// Tests: tests/analysis/flow/flow_observables_test.cpp
 #pragma once
 
 #include <cstddef>

@@ -12,7 +12,7 @@
 ///
 /// The interval is that of a standard deviation of K = T/w independent windows: K - 1 degrees of
 /// freedom, chi-square, equal tails; its relative standard error is 1/sqrt(2 K).
-/// Tests: tests/analysis/flow_observables_test.cpp
+/// Tests: tests/analysis/flow/flow_observables_test.cpp
 #pragma once
 
 #include <optional>

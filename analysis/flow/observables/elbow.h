@@ -11,7 +11,7 @@
 /// correlated: n is the number of independent ones, rows/(1 + 2 sum of their autocorrelations up to
 /// the first that is not positive).
 /// Source: C. J. Geyer, Statist. Sci. 7 (1992) 473 (the sum).
-/// Tests: tests/analysis/flow_observables_test.cpp
+/// Tests: tests/analysis/flow/flow_observables_test.cpp
 #pragma once
 
 #include <optional>

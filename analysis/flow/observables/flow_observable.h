@@ -3,7 +3,7 @@
 /// What a measured quantity of a flow is made of: it sees the established states one after the other
 /// and says at the end what it found. Each stands in a file of its own and in one line of
 /// flow_observables.cpp.
-/// Tests: tests/analysis/flow_observables_test.cpp
+/// Tests: tests/analysis/flow/flow_observables_test.cpp
 #pragma once
 
 #include <filesystem>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file flow_observables.h
 /// The observables that are registered, each made by its own file.
-/// Tests: tests/analysis/flow_observables_test.cpp
+/// Tests: tests/analysis/flow/flow_observables_test.cpp
 #pragma once
 
 #include "analysis/flow/observables/flow_observable.h"

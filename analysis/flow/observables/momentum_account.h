@@ -8,7 +8,7 @@
 /// So P(t_2) - P(t_1) = entered - left + impulses of all forces on the grains inside, but for what a
 /// crossing grain gets within the interval in which it crosses.
 /// A grain that appears or vanishes inside (inserted, deleted) enters or leaves with its own v.
-/// Tests: tests/analysis/flow_observables_test.cpp
+/// Tests: tests/analysis/flow/flow_observables_test.cpp
 #pragma once
 
 #include <unordered_map>

@@ -5,7 +5,7 @@
 ///   irregularity = 100 sqrt(<(a - <a>)^2>)/<a>   [%], over the sampled times
 /// Only times whose whole window is sampled count. A sine of frequency f keeps the share
 /// sin(pi f w)/(pi f w) of its amplitude. Samples need not be equally far apart.
-/// Tests: tests/analysis/flow_statistics_test.cpp
+/// Tests: tests/analysis/flow/flow_statistics_test.cpp
 #pragma once
 
 #include <optional>

@@ -15,7 +15,7 @@
 /// of T plus the difference, which powderFoam keeps in <T>/uniform/couplingClock.
 /// T is read from <T>/uniform/time where that is given; the folder's name may be rounded. Times
 /// agree when they differ by less than half a DEM step, or by the rounding of the name.
-/// Tests: tests/analysis/restart_test.cpp
+/// Tests: tests/analysis/flow/restart_test.cpp
 #pragma once
 
 #include <filesystem>

@@ -2,7 +2,7 @@
 /// \file field_file.h
 /// Whether a file that OpenFOAM wrote is whole: its last line `// *** //` closes it, in a compressed
 /// file (NAME.gz) after all of it could be inflated and gzip's own checksum agrees.
-/// Tests: tests/analysis/restart_test.cpp
+/// Tests: tests/analysis/flow/restart_test.cpp
 #pragma once
 
 #include <filesystem>

@@ -10,7 +10,7 @@
 ///                         beginning and `latest`
 ///
 /// Doing it again changes nothing.
-/// Tests: tests/analysis/restart_test.cpp
+/// Tests: tests/analysis/flow/restart_test.cpp
 #pragma once
 
 #include <filesystem>

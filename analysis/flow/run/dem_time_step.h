@@ -2,7 +2,7 @@
 /// \file dem_time_step.h
 /// The DEM time step of a coupled case [s]: what LIGGGHTS's log says (it repeats `timestep` with
 /// its variables put in), else the only number after `timestep` in the scripts in.*.
-/// Tests: tests/analysis/flow_case_test.cpp
+/// Tests: tests/analysis/flow/flow_case_test.cpp
 #pragma once
 
 #include <filesystem>

@@ -7,7 +7,7 @@
 /// which is kClearlyLonger times as long along it as along the next; else that of the particles'
 /// momentum; else z. The way is that of the particles' momentum, unless it is the small remainder of
 /// motion both ways; then it is forward.
-/// Tests: tests/analysis/flow_axis_test.cpp
+/// Tests: tests/analysis/flow/flow_axis_test.cpp
 #pragma once
 
 #include <array>

@@ -6,7 +6,7 @@
 ///   part  its last third downstream, as a flow has developed there; all of it when the dumps' box is
 ///         periodic along the axis, where nothing develops
 /// The channel is the mesh, else the stretch of the probes of p, else the dumps' box.
-/// Tests: tests/analysis/flow_axis_test.cpp
+/// Tests: tests/analysis/flow/flow_axis_test.cpp
 #pragma once
 
 #include <filesystem>

@@ -8,7 +8,7 @@
 ///   height: percentiles of `up` in a slice; width: central interval that holds a share of the
 ///   particles of a slice in `across` and in `up`. Both over all established states together.
 /// Slices are [k ds, (k + 1) ds). Memory grows with slices times states, not with particles.
-/// Tests: tests/analysis/flow_statistics_test.cpp
+/// Tests: tests/analysis/flow/flow_statistics_test.cpp
 #pragma once
 
 #include <boost/accumulators/accumulators.hpp>

@@ -9,7 +9,7 @@
 /// another (a coupled run that was begun anew in the same folder), a dump takes that of the first
 /// folder which is not before it, since this is the run that it belongs to; after the last folder
 /// the last one counts. Without such a file the clocks are taken as one.
-/// Tests: tests/analysis/particle_clock_test.cpp
+/// Tests: tests/analysis/flow/particle_clock_test.cpp
 #pragma once
 
 #include <filesystem>

@@ -3,7 +3,7 @@
 /// LIGGGHTS's text dumps (dump custom), one state in memory at a time. Columns are found by name:
 /// needed x y z vx vy vz radius mass, used when there id. A file may hold one state or many.
 /// Units SI. A file that breaks off, rows without a column or numbers that are none are refused.
-/// Tests: tests/analysis/flow_dump_test.cpp
+/// Tests: tests/analysis/flow/flow_dump_test.cpp
 #pragma once
 
 #include <array>

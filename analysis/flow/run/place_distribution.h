@@ -3,7 +3,7 @@
 /// Percentiles of a coordinate of many particles in bounded memory: classes of a fixed width that
 /// are added where values come, linear within a class. A percentile is within one class of the
 /// exact one; the class is chosen far below a particle's radius.
-/// Tests: tests/analysis/flow_statistics_test.cpp
+/// Tests: tests/analysis/flow/flow_statistics_test.cpp
 #pragma once
 
 #include <cstdint>

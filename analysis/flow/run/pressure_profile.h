@@ -6,7 +6,7 @@
 /// Read are postProcessing/NAME/<start>/p; a later start replaces what earlier ones wrote after it
 /// (restarts). Probes outside the mesh, for which OpenFOAM writes -1e300 (smaller than any
 /// pressure), are left out.
-/// Tests: tests/analysis/flow_case_test.cpp
+/// Tests: tests/analysis/flow/flow_case_test.cpp
 #pragma once
 
 #include <filesystem>

@@ -4,7 +4,7 @@
 /// of LIGGGHTS's fix print, the means of its fix ave/spatial. A run that went on after a stop has a
 /// file for each of its parts; at equal times the later part wins. A last line that breaks off is left
 /// out; any other row with another number of values is refused.
-/// Tests: tests/analysis/flow_observables_test.cpp
+/// Tests: tests/analysis/flow/flow_observables_test.cpp
 #pragma once
 
 #include <filesystem>

@@ -7,7 +7,7 @@
 /// log.mpirun. The other program's lines may stand between, and mpirun's marks of ranks before them.
 /// ClockTime counts whole seconds; where less than kShort_s of them are at hand the processor time
 /// is taken instead (an MPI rank that waits is busy, so the two differ little).
-/// Tests: tests/analysis/solver_log_test.cpp, tests/analysis/flow_case_test.cpp
+/// Tests: tests/analysis/flow/solver_log_test.cpp, tests/analysis/flow/flow_case_test.cpp
 #pragma once
 
 #include <filesystem>

@@ -2,7 +2,7 @@
 /// \file critical_search.h
 /// d_c of one row with LIGGGHTS: a size-graded population per run, then again inside the bracket,
 /// until the bracket is narrower than the study's resolution.
-/// Tests: tests/analysis/critical_search_test.cpp
+/// Tests: tests/analysis/kat/critical_search_test.cpp
 #pragma once
 
 #include <functional>

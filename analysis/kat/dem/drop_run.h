@@ -4,7 +4,7 @@
 ///   in.kat, log.liggghts, screen.txt, post/   as a user's own run would leave them
 ///   kat_results.json                          written by fix kat/drop at the end
 ///   finished                                  hash of script and program: the run is reused
-/// Tests: tests/analysis/kat_run_test.cpp
+/// Tests: tests/analysis/kat/kat_run_test.cpp
 #pragma once
 
 #include <filesystem>

@@ -2,7 +2,7 @@
 /// \file drop_script.h
 /// The LIGGGHTS input script of one drop: a size-graded population under one plate, as a user would
 /// write it. Pure text; nothing is run here.
-/// Units: SI. Tests: tests/analysis/drop_script_test.cpp
+/// Units: SI. Tests: tests/analysis/kat/drop_script_test.cpp
 #pragma once
 
 #include <string>

@@ -2,7 +2,7 @@
 /// \file kat_output.h
 /// What `kat run` shows and stores: a table for the terminal, kat.json, kat.csv (d_c over v, for
 /// figures) and particles.csv (residual speed over diameter, for figures).
-/// Tests: tests/analysis/kat_output_test.cpp
+/// Tests: tests/analysis/kat/kat_output_test.cpp
 #pragma once
 
 #include <string>

@@ -3,7 +3,7 @@
 /// All rows of a study with LIGGGHTS, side by side on the cores, beside theory and reduced model.
 /// Folders: OUT/row_01/round_1/ and so on. Errors: an exception that names the row; runs that are
 /// finished stay and are reused next time.
-/// Tests: tests/analysis/kat_run_test.cpp
+/// Tests: tests/analysis/kat/kat_run_test.cpp
 #pragma once
 
 #include <vector>

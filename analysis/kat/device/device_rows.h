@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file device_rows.h
 /// Drops of the KAT device as rows of a study: what `powderlink compare` and `diagnose` read.
-/// Tests: tests/analysis/kat_device_test.cpp
+/// Tests: tests/analysis/kat/kat_device_test.cpp
 #pragma once
 
 #include <optional>

@@ -6,7 +6,7 @@
 /// have been done and is not known (arm, abort, clear, selftest) is not sent twice.
 /// Errors: InvalidInput for a refusal, with the device's own code and advice, for silence, and for
 /// answers that stay damaged.
-/// Tests: tests/analysis/kat_device_test.cpp, tests/analysis/kat_device_live_test.cpp
+/// Tests: tests/analysis/kat/kat_device_test.cpp, tests/analysis/kat/kat_device_live_test.cpp
 #pragma once
 
 #include <functional>

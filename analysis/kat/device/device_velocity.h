@@ -11,7 +11,7 @@
 /// derivatives. v and v_f share h, L and one edge; their difference is judged by the larger of both
 /// uncertainties added, so that it does not alarm too soon.
 /// Source: h/t at the beam, gravity over the rest and the latency of 66 us, L. Pedrolli, doctoral thesis,
-/// University of Deusto. Validity: free fall, h <= L. Tests: tests/analysis/kat_device_test.cpp
+/// University of Deusto. Validity: free fall, h <= L. Tests: tests/analysis/kat/kat_device_test.cpp
 #pragma once
 
 #include <optional>

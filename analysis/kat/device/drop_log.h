@@ -7,7 +7,7 @@
 /// begins as a message and cannot be read is noted, and is the cause where a report has lost a line:
 /// such a report, or one without beginning or end, is InvalidInput with file and line, or, where that
 /// was asked for, a note, and the drop is left out.
-/// Tests: tests/analysis/kat_device_test.cpp
+/// Tests: tests/analysis/kat/kat_device_test.cpp
 #pragma once
 
 #include <filesystem>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file serial_link.h
 /// A serial port of which every wait has a limit. Errors are InvalidInput and name the port.
-/// Tests: tests/analysis/kat_device_test.cpp, with the device's own core on a pseudo-terminal
+/// Tests: tests/analysis/kat/kat_device_test.cpp, with the device's own core on a pseudo-terminal
 #pragma once
 
 #include <boost/asio/io_context.hpp>

@@ -3,7 +3,7 @@
 /// What a device sends, as a file that grows line by line: FILE.part, renamed to FILE at the end. A
 /// program that is interrupted leaves FILE.part with all lines that came until then.
 /// Errors: InvalidInput for a folder or disk that takes no more, and for lines of an interrupted
-/// session that would be lost. Tests: tests/analysis/kat_device_live_test.cpp
+/// session that would be lost. Tests: tests/analysis/kat/kat_device_live_test.cpp
 #pragma once
 
 #include <filesystem>

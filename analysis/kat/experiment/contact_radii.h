@@ -4,7 +4,7 @@
 ///   contact_radius_um   edge of the contact, read from the first ring
 ///   radius_um           of the grain
 ///   wavelength_nm       of the light
-/// Errors: InvalidInput with file, line and column. Tests: tests/analysis/gamma_methods_test.cpp
+/// Errors: InvalidInput with file, line and column. Tests: tests/analysis/kat/gamma_methods_test.cpp
 #pragma once
 
 #include <filesystem>

@@ -5,7 +5,7 @@
 /// measured. Its model is the baseline (instant stop): `diagnose` says what is missing, `add` adds it.
 /// sigma = d_c ln(high/low)/(2*1.96), from the 95 % interval.
 /// Errors: InvalidInput for a study of other materials, a table of other columns, a drop that is in
-/// it already. Nothing is written then. Tests: tests/analysis/kat_analyse_command_test.cpp
+/// it already. Nothing is written then. Tests: tests/analysis/program/kat_analyse_command_test.cpp
 #pragma once
 
 #include <filesystem>

@@ -2,11 +2,11 @@
 /// \file gamma_method.h
 /// A way from a drop to the work of adhesion Gamma of the interface. To add one: a header in methods/
 /// with a class as in methods/energy.h, one line in gamma_methods.def, and a closed form in
-/// tests/analysis/gamma_methods_test.cpp. Command line, JSON and tables then know it.
+/// tests/analysis/kat/gamma_methods_test.cpp. Command line, JSON and tables then know it.
 ///
 /// The interval combines those of the measured values: for each the change of ln Gamma from end to end,
 /// in quadrature (independent errors).
-/// Tests: tests/analysis/gamma_methods_test.cpp
+/// Tests: tests/analysis/kat/gamma_methods_test.cpp
 #pragma once
 
 #include <functional>

@@ -3,7 +3,7 @@
 /// A table of drops that names tables of grains before and after each: rows of retained shares for a
 /// study (measurements.h). Paths are relative to the table. Classes as in retention_classes.h; without
 /// an area ratio it is that of the fit (retention_analysis.h).
-/// Tests: tests/analysis/grain_drops_test.cpp
+/// Tests: tests/analysis/kat/grain_drops_test.cpp
 #pragma once
 
 #include <string>

@@ -4,7 +4,7 @@
 /// or, with a reader that knows them, from micrographs (sizes/pictures/grain_source.h).
 /// Both sets are read as one, so that different pixel sizes are refused between them too; shapes that
 /// differ much between them are noted, as one of them then shows noise.
-/// Tests: tests/analysis/kat_analyse_command_test.cpp, tests/psd/kat_pictures_test.cpp
+/// Tests: tests/analysis/program/kat_analyse_command_test.cpp, tests/analysis/sizes/kat_pictures_test.cpp
 #pragma once
 
 #include <functional>

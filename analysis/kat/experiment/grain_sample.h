@@ -3,7 +3,7 @@
 /// Grains seen before and after a drop, in one list sorted by diameter: what the retained fraction is
 /// estimated from. A class holds grains of one diameter, or of diameters that need not be told apart.
 /// Units: log_diameter is ln(d/um); counts are numbers of grains, not densities.
-/// Tests: tests/analysis/retention_likelihood_test.cpp
+/// Tests: tests/analysis/kat/retention_likelihood_test.cpp
 #pragma once
 
 #include <vector>

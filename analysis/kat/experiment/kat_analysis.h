@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file kat_analysis.h
 /// One drop from its grains before and after to d_c and Gamma: what `powderlink kat analyse` prints.
-/// Tests: tests/analysis/kat_analyse_command_test.cpp, tests/analysis/gamma_methods_test.cpp
+/// Tests: tests/analysis/program/kat_analyse_command_test.cpp, tests/analysis/kat/gamma_methods_test.cpp
 #pragma once
 
 #include <string>

@@ -3,7 +3,7 @@
 /// SVG figures from the tables of kat_analysis_output.h, drawn by gnuplot:
 ///   sizes.svg      grains before and after over diameter, per area
 ///   retained.svg   retained fraction over diameter, its fit, d_c with its interval
-/// Tests: tests/analysis/kat_analyse_command_test.cpp
+/// Tests: tests/analysis/program/kat_analyse_command_test.cpp
 #pragma once
 
 #include <filesystem>

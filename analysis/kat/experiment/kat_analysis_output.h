@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file kat_analysis_output.h
 /// A KatAnalysis as JSON, as text for the terminal and as tables (for figures too).
-/// Tests: tests/analysis/kat_analyse_command_test.cpp
+/// Tests: tests/analysis/program/kat_analyse_command_test.cpp
 #pragma once
 
 #include <map>

@@ -9,7 +9,7 @@
 /// and 0.35 to 0.40 (powderlink psd, which smooths; with noise of 4 to 8 % of the contrast).
 /// Valid from 5 pixels for grains near to disks; 0 where the pixel is not known.
 /// Source: measured; D. G. Kendall, Quart. J. Math. 19 (1948) 1 (points of a lattice in a random disk).
-/// Tests: tests/analysis/retention_coverage_test.cpp
+/// Tests: tests/analysis/kat/retention_coverage_test.cpp
 #pragma once
 
 #include <cmath>

@@ -8,7 +8,7 @@
 /// Strays, a share of grains that stay whatever their size, are a quarter of a grain unless the
 /// likelihood asks for more (at 1 %).
 /// Errors: InvalidInput where d_c cannot be seen: nothing left, nothing remained, more after than before.
-/// Units: um. Tests: tests/analysis/retention_analysis_test.cpp
+/// Units: um. Tests: tests/analysis/kat/retention_analysis_test.cpp
 #pragma once
 
 #include <cstdint>

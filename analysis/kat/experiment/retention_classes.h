@@ -7,7 +7,7 @@
 ///   fraction of a class = after/(r before); 95 % interval from that of after/(before + after), which is
 ///   binomial with p = r s/(1 + r s) (Jeffreys)
 /// Symbols: r area seen after over that before, s retained fraction. Units: um.
-/// Tests: tests/analysis/retention_analysis_test.cpp
+/// Tests: tests/analysis/kat/retention_analysis_test.cpp
 #pragma once
 
 #include <vector>

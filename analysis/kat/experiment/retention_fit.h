@@ -6,7 +6,7 @@
 /// Which of both: the width is kept when the ideal truncation is excluded at 5 %, that is when
 /// 2 ln(L_width/L_ideal) > 5.99 (-2 ln 0.05: ln L of a truncation has a step at every grain, and twice
 /// its fall from the top is then distributed as chi^2 with two degrees of freedom).
-/// Tests: tests/analysis/retention_likelihood_test.cpp
+/// Tests: tests/analysis/kat/retention_likelihood_test.cpp
 #pragma once
 
 #include <vector>

@@ -17,7 +17,7 @@
 /// Deterministic: the generator (Mersenne twister, Boost.Random) starts from a given seed.
 /// Source: A. C. Davison, D. V. Hinkley, Bootstrap Methods and their Application, Cambridge 1997,
 /// Sections 4.2.2, 5.2.1 (parametric bootstrap of a likelihood ratio, basic intervals).
-/// Tests: tests/analysis/retention_coverage_test.cpp
+/// Tests: tests/analysis/kat/retention_coverage_test.cpp
 #pragma once
 
 #include <cstdint>

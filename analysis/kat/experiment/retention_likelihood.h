@@ -16,7 +16,7 @@
 /// clumps, misread). Phi normal distribution function.
 /// Validity: grains independent of each other, seen with the same chance before and after.
 /// Source: R. L. Prentice, R. Pyke, Biometrika 66 (1979) 403 (two samples, conditional likelihood).
-/// Tests: tests/analysis/retention_likelihood_test.cpp
+/// Tests: tests/analysis/kat/retention_likelihood_test.cpp
 #pragma once
 
 #include <optional>

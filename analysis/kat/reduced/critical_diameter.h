@@ -6,7 +6,7 @@
 /// quick           from the critical speed (critical_speed.h), to 1e-3
 /// closed forms    instant stop (Eq. 4.5) and slow stop (physics/kat/kat_theory.h)
 /// Units: m, m/s. Searched between 0.1 um and 1 mm; outside, the state says which end was reached.
-/// Tests: tests/analysis/critical_diameter_test.cpp
+/// Tests: tests/analysis/kat/critical_diameter_test.cpp
 #pragma once
 
 #include <string>

@@ -17,7 +17,7 @@
 /// of the contact at rest [s]; a0 contact radius at rest [m]; v*, n of
 /// physics/effects/laws/rate_dependent_adhesion.h.
 /// Validity: restitution 1; everything else is not `available` and needs the integration.
-/// Accuracy: 1e-3 of d_c. Tests: tests/analysis/critical_speed_test.cpp
+/// Accuracy: 1e-3 of d_c. Tests: tests/analysis/kat/critical_speed_test.cpp
 #pragma once
 
 #include "analysis/kat/reduced/reduced_model.h"

@@ -18,7 +18,7 @@
 ///             tear-off: with y = w - w_tear, d/dt(m w'^2/2 + U - m (A + g) y) <= 0 while y < 0;
 ///   detached  off the plate, moving away, and no later push or attraction can turn it back.
 /// Validity: stiff plate, no neighbours, no air. Errors: InvalidInput.
-/// Tests: tests/analysis/reduced_model_test.cpp
+/// Tests: tests/analysis/kat/reduced_model_test.cpp
 #pragma once
 
 #include <memory>

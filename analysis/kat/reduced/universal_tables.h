@@ -2,7 +2,7 @@
 /// \file universal_tables.h
 /// The two functions g and h of critical_speed.h, tabulated from the reduced model of one sphere.
 /// Nodes are computed when they are first asked for and kept; safe for several threads.
-/// Tests: tests/analysis/critical_speed_test.cpp
+/// Tests: tests/analysis/kat/critical_speed_test.cpp
 #pragma once
 
 #include "physics/kat/stop_pulse.h"

@@ -2,7 +2,7 @@
 /// \file checks.h
 /// Values that users type, refused with a hint at the unit that was probably meant.
 /// Each returns its value or throws InvalidInput; `where` names file and line, option or key.
-/// Tests: tests/analysis/measurements_test.cpp
+/// Tests: tests/analysis/kat/measurements_test.cpp
 #pragma once
 
 #include <string>

@@ -2,7 +2,7 @@
 /// \file material_library.h
 /// Materials known by name: the list of physics/contact/materials.def (density, Young's modulus, Poisson's
 /// ratio in SI units, with their source there).
-/// Tests: tests/analysis/study_test.cpp, tests/analysis/study_material_test.cpp
+/// Tests: tests/analysis/kat/study_test.cpp, tests/analysis/kat/study_material_test.cpp
 #pragma once
 
 #include <string>

@@ -3,7 +3,7 @@
 /// Columns of a measurement file under the names that the program knows: "Critical diameter [µm]", and
 /// "critical_diameter" over a row of units that says um, are critical_diameter_um. What carries
 /// another unit keeps its name, and is refused where the row of units contradicts the name.
-/// Tests: tests/analysis/measurements_test.cpp
+/// Tests: tests/analysis/kat/measurements_test.cpp
 #pragma once
 
 #include <string>

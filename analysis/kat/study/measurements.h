@@ -22,7 +22,7 @@
 ///     adhesive_energy_J_m2           optional, work of adhesion of the interface for this row
 /// Columns may be named otherwise (measurement_names.h); forms of tables: csv_table.h.
 /// Other columns are named in `unknown_columns` and kept, as numbers where all cells are.
-/// Errors: InvalidInput with file, line and column. Tests: tests/analysis/measurements_test.cpp
+/// Errors: InvalidInput with file, line and column. Tests: tests/analysis/kat/measurements_test.cpp
 #pragma once
 
 #include <filesystem>

@@ -17,7 +17,7 @@
 ///                resolution = 0.002, diameter_range_um = [low, high]
 ///
 /// Unknown keys, unknown names and impossible values are InvalidInput with file, line and key.
-/// Tests: tests/analysis/study_test.cpp
+/// Tests: tests/analysis/kat/study_test.cpp
 #pragma once
 
 #include <filesystem>

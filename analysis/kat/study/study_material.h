@@ -6,7 +6,7 @@
 ///   an option    NAME, or "density_kg_m3=.., youngs_modulus_Pa=.., poissons_ratio=..", or FILE.toml: a
 ///                file with these keys, or a study, of which the table of the option's name is taken
 ///
-/// Errors: InvalidInput with file or option and key. Tests: tests/analysis/study_material_test.cpp
+/// Errors: InvalidInput with file or option and key. Tests: tests/analysis/kat/study_material_test.cpp
 #pragma once
 
 #include <string>

@@ -2,7 +2,7 @@
 /// \file kat_theory_report.h
 /// Everything that the closed forms say about one drop: Gamma from a critical diameter, or the
 /// critical diameter from Gamma, by every route of physics/kat/kat_theory.h.
-/// Tests: tests/analysis/kat_theory_report_test.cpp
+/// Tests: tests/analysis/kat/kat_theory_report_test.cpp
 #pragma once
 
 #include <optional>

@@ -7,7 +7,7 @@
 ///   partner   a plate where a substrate is given, else an equal grain (R* = R/2, m* = m/2)
 ///
 /// Laws: physics/contact/spring_slider_dashpot.h, hertz_collision.h, softened_adhesion.h, rayleigh_time.h.
-/// Tests: tests/analysis/softened_contact_test.cpp
+/// Tests: tests/analysis/kat/softened_contact_test.cpp
 #pragma once
 
 #include <optional>

@@ -8,7 +8,7 @@ namespace powderlink::analysis {
 namespace {
 
 // Eq. 4.5 with other moduli: 64 GPa gives 103.37 and 98.78 J/m^2, nu = 0.37 gives 17.54 J/m^2
-// (tests/analysis/kat_theory_report_test.cpp).
+// (tests/analysis/kat/kat_theory_report_test.cpp).
 constexpr const char* kGlass =
     "rounding of v and d explains 0.5 % at most, "
     "and both glass rows are off by the same factor 0.960: "

@@ -3,7 +3,7 @@
 /// What the thesis prints for its three 316L drops, beside Eq. 4.5 recomputed from its own inputs.
 /// Source: L. Pedrolli, "CFD-DEM study of the metallic powder flow in Laser Metal Deposition",
 /// doctoral thesis, University of Deusto, Section 4.4; materials of its Table 4.1.
-/// Tests: tests/analysis/kat_theory_report_test.cpp
+/// Tests: tests/analysis/kat/kat_theory_report_test.cpp
 #pragma once
 
 #include <string>

@@ -6,7 +6,7 @@
 /// at 1/2: a straight edge under a Gaussian of standard deviation sigma has a band 2 z sigma wide there.
 /// Optics, the area of a pixel (1/12) and smoothing add as variances. Curvature changes it by
 /// sigma^2/R^2; noise of the share up to 1/8 does not. Symbols: lengths in pixels.
-/// Tests: tests/psd/segmentation_test.cpp
+/// Tests: tests/analysis/sizes/segmentation_test.cpp
 #pragma once
 
 #include <opencv2/core.hpp>

@@ -10,7 +10,7 @@
 /// size. A chain of pixel edges, as ImageJ's Perim., is 5.5 % too long (8/pi (sqrt(2) - 1) = 1.0548).
 /// Sources: G. Lehmann, D. Legland, Insight Journal (2012), efficient N-dimensional surface
 /// estimation using Crofton formula; Z. Kulpa, Comput. Graph. Image Process. 6 (1977) 434 (chains).
-/// Tests: tests/psd/segmentation_test.cpp
+/// Tests: tests/analysis/sizes/segmentation_test.cpp
 #pragma once
 
 #include <opencv2/core.hpp>

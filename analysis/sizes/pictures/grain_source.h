@@ -2,7 +2,7 @@
 /// \file grain_source.h
 /// Grains from tables and micrographs alike: the one place where a file becomes a ParticleSet.
 /// Tables come first in the result, then pictures, each in the order given.
-/// Tests: tests/psd/psd_command_test.cpp, tests/psd/kat_pictures_test.cpp
+/// Tests: tests/analysis/sizes/psd_command_test.cpp, tests/analysis/sizes/kat_pictures_test.cpp
 #pragma once
 
 #include <functional>

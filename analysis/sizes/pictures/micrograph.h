@@ -2,7 +2,7 @@
 /// \file micrograph.h
 /// A picture as one channel of float, 0 to 1 of what its format can hold.
 /// Colour becomes luminance, alpha is dropped, 8 and 16 bit and float are read; each of these is noted.
-/// Tests: tests/psd/segmentation_test.cpp, tests/psd/psd_command_test.cpp
+/// Tests: tests/analysis/sizes/segmentation_test.cpp, tests/analysis/sizes/psd_command_test.cpp
 #pragma once
 
 #include <filesystem>

@@ -8,7 +8,7 @@
 /// thus limits first, and neither dust nor the few largest grains fill one class alone.
 /// Symbols: d diameter [um]. Valid for any sample; one size makes one class.
 /// Source: W. D. Fisher, J. Am. Stat. Assoc. 53 (1958) 789 (grouping for least scatter), here by
-/// halving, one class at a time. Tests: tests/psd/powder_inputs_test.cpp
+/// halving, one class at a time. Tests: tests/analysis/sizes/powder_inputs_test.cpp
 #pragma once
 
 #include <vector>

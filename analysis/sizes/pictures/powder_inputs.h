@@ -8,7 +8,7 @@
 /// distribution. Where a law of Rosin and Rammler fits, it is offered in a comment; OpenFOAM's draws
 /// d = minValue + d (-ln(1 - y K))^(1/n): its origin is minValue, so x0 and n of the textbook's law
 /// would be wrong there, and what is offered was fitted to its own form.
-/// Tests: tests/psd/powder_inputs_test.cpp, tests/psd/psd_command_test.cpp
+/// Tests: tests/analysis/sizes/powder_inputs_test.cpp, tests/analysis/sizes/psd_command_test.cpp
 #pragma once
 
 #include <string>

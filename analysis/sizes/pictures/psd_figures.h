@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file psd_figures.h
 /// SVG figures from the tables of `powderlink psd`, drawn by gnuplot with scripts/plots/psd_*.gp.
-/// Tests: tests/psd/psd_command_test.cpp
+/// Tests: tests/analysis/sizes/psd_command_test.cpp
 #pragma once
 
 #include <filesystem>

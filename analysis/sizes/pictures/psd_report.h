@@ -7,7 +7,7 @@
 /// Specks have hardly any mass and are far below all the rest: dust or noise. They are flagged, and left
 /// out on demand. Quartiles by mass do not depend on how many specks there are. A Rosin-Rammler powder
 /// with n = 2 to 4 loses less than 1 % of its grains to the rule.
-/// Tests: tests/psd/psd_command_test.cpp
+/// Tests: tests/analysis/sizes/psd_command_test.cpp
 #pragma once
 
 #include <array>

@@ -13,7 +13,7 @@
 /// neither. Grains of 10 pixels or more are measured, smaller ones are found down to `least_px`.
 /// Larger grains are cut by the edge more often: a grain of diameter d is whole with probability
 /// (1 - d/W)(1 - d/H) in a picture of W x H (R. E. Miles, 1974).
-/// Tests: tests/psd/segmentation_test.cpp
+/// Tests: tests/analysis/sizes/segmentation_test.cpp
 #pragma once
 
 #include <vector>

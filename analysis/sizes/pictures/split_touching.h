@@ -8,7 +8,7 @@
 /// which takes area away.
 /// Source: S. Beucher, C. Lantuejoul (1979), watersheds; pooling by dynamics: M. Grimaud, SPIE 1769
 /// (1992) 292.
-/// Tests: tests/psd/segmentation_test.cpp
+/// Tests: tests/analysis/sizes/segmentation_test.cpp
 #pragma once
 
 #include <opencv2/core.hpp>

@@ -10,7 +10,7 @@
 ///
 /// Pages that repeat the picture at lower resolution do not count. ImageJ writes stacks above 4 GB as one
 /// page and says `images=N`. Source: TIFF 6.0, sections 8 and 13; Fiji's files as its reader documents.
-/// Errors: InvalidInput for pixels that are not square. Tests: tests/psd/tiff_facts_test.cpp
+/// Errors: InvalidInput for pixels that are not square. Tests: tests/analysis/sizes/tiff_facts_test.cpp
 #pragma once
 
 #include <filesystem>

@@ -9,7 +9,7 @@
 /// together, by 7 % at grains of 10 pixels: last they are fitted to pixels 4, 3 or 2 deep in their class,
 /// of the picture before it was smoothed.
 /// Valid for grains of about one brightness that cover up to about 60 % of the picture.
-/// Tests: tests/psd/segmentation_test.cpp
+/// Tests: tests/analysis/sizes/segmentation_test.cpp
 #pragma once
 
 #include <opencv2/core.hpp>

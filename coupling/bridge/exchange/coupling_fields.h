@@ -2,7 +2,7 @@
 /// \file coupling_fields.h
 /// The fields of an unresolved CFD-DEM coupling: names, units and shapes that both hosts share.
 /// One row per particle; SI. Both programs take them from here, so they cannot disagree by spelling.
-/// Tests: tests/bridge/link_test.cpp
+/// Tests: tests/coupling/bridge/link_test.cpp
 #pragma once
 
 #include "coupling/bridge/frame/field.h"

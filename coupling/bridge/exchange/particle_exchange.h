@@ -15,7 +15,7 @@
 /// rounds of steady size allocate nothing here.
 /// Errors: BridgeError timeout, mismatch (fields, step, count), bad_input (arguments), those of the
 /// transport. The host then calls MPI_Abort, which ends all ranks.
-/// Tests: tests/bridge/mpi_test.cpp
+/// Tests: tests/coupling/bridge/mpi_test.cpp
 #pragma once
 
 #include <mpi.h>

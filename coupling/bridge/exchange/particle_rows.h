@@ -2,7 +2,7 @@
 /// \file particle_rows.h
 /// Rows of particles sorted by destination, gathered into frames and scattered back; inner part of
 /// the particle exchanges.
-/// Tests: tests/bridge/mpi_test.cpp
+/// Tests: tests/coupling/bridge/mpi_test.cpp
 #pragma once
 
 #include <cstddef>

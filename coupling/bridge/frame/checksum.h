@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file checksum.h
 /// XXH3 of some bytes: at the speed of memory, where a CRC-32 would cost more than the transport.
-/// Tests: tests/bridge/frame_test.cpp, tests/bridge/frame_fuzz_test.cpp
+/// Tests: tests/coupling/bridge/frame_test.cpp, tests/coupling/bridge/frame_fuzz_test.cpp
 #pragma once
 
 #include <cstddef>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file field.h
 /// A field: a named, typed table with one row of components per particle (or per anything else).
-/// Tests: tests/bridge/frame_test.cpp
+/// Tests: tests/coupling/bridge/frame_test.cpp
 #pragma once
 
 #include <cstddef>

@@ -15,7 +15,7 @@
 ///
 /// Decoding never trusts a number of the frame: any sequence of bytes gives either a FrameView that
 /// lies within them or a BridgeError (bad_frame or wrong_version). Cost: one pass for the checksum.
-/// Tests: tests/bridge/frame_test.cpp, tests/bridge/frame_fuzz_test.cpp
+/// Tests: tests/coupling/bridge/frame_test.cpp, tests/coupling/bridge/frame_fuzz_test.cpp
 #pragma once
 
 #include <cstdint>

@@ -11,7 +11,7 @@
 ///   finish()                                         finish(), or Command::stop
 /// All calls are collective over the ranks of the program. Errors: BridgeError on every rank of the
 /// program, after the other program was told why; the host then prints it and calls MPI_Abort.
-/// Tests: tests/bridge/link_test.cpp
+/// Tests: tests/coupling/bridge/link_test.cpp
 #pragma once
 
 #include <mpi.h>

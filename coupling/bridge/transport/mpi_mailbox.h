@@ -2,7 +2,7 @@
 /// \file mpi_mailbox.h
 /// Frames from rank to rank on one communicator (also an intercommunicator) under one tag, each wait
 /// with a deadline.
-/// Tests: tests/bridge/mpi_test.cpp
+/// Tests: tests/coupling/bridge/mpi_test.cpp
 #pragma once
 
 #include <mpi.h>

@@ -7,7 +7,7 @@
 /// Any rank of the other program may speak once, with cry(), before it ends the job.
 /// Large frames are sent from the caller's buffer without a copy. Ping 1 us, 1 MB each way as
 /// checked frames 0.6 ms on one machine, see bench/bridge_bench.cpp.
-/// Tests: tests/bridge/mpi_test.cpp
+/// Tests: tests/coupling/bridge/mpi_test.cpp
 #pragma once
 
 #include <deque>

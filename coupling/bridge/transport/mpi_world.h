@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file mpi_world.h
 /// Two programs in one mpirun share MPI_COMM_WORLD; each needs one of its own, and a way to the other.
-/// Tests: tests/bridge/mpi_test.cpp
+/// Tests: tests/coupling/bridge/mpi_test.cpp
 #pragma once
 
 #include <mpi.h>

@@ -7,7 +7,7 @@
 /// a library that the dynamic linker searches before the MPI library (LD_PRELOAD, or linked earlier):
 /// then its definitions are the ones that all libraries of the process call, and they hand over to
 /// PMPI_, which is where both programs are still seen.
-/// Tests: tests/host/couple_world_test.cpp
+/// Tests: tests/liggghts_styles/couple_world_test.cpp
 #pragma once
 
 #include <mpi.h>

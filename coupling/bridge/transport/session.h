@@ -3,7 +3,7 @@
 /// Who talks to whom about what. Both programs open a Session on their end of a transport; the
 /// constructor exchanges a hello and refuses a peer that does not fit, with the same text on both
 /// sides. With several ranks only rank 0 has a session, see on_first_rank() in mpi_world.h.
-/// Tests: tests/bridge/session_test.cpp
+/// Tests: tests/coupling/bridge/session_test.cpp
 #pragma once
 
 #include <cstdint>

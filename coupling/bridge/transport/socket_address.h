@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file socket_address.h
 /// Addresses as users write them, and the file through which two programs meet.
-/// Tests: tests/bridge/socket_test.cpp
+/// Tests: tests/coupling/bridge/socket_test.cpp
 #pragma once
 
 #include <string>

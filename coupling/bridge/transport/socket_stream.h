@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file socket_stream.h
 /// A connected socket that carries frames; inner part of socket_transport.cpp.
-/// Tests: tests/bridge/socket_test.cpp
+/// Tests: tests/coupling/bridge/socket_test.cpp
 #pragma once
 
 #include <deque>

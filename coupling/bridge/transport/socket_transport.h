@@ -12,7 +12,7 @@
 /// Nothing waits longer than the timeout, also for the look-up of a host or a client that never stops
 /// sending; who has not given the token yet may send 64 KiB. A peer that dies is noticed at once (end of
 /// file, reset).
-/// Tests: tests/bridge/socket_test.cpp
+/// Tests: tests/coupling/bridge/socket_test.cpp
 #pragma once
 
 #include <memory>

@@ -7,7 +7,7 @@
 /// Errors are BridgeError: timeout, peer_lost (the other end closed or died), bad_frame (a stream that
 /// does not hold frames). After one of them only close(), close_after_error() and destruction are allowed.
 /// Not thread-safe: one thread per transport.
-/// Tests: tests/bridge/conformance_test.cpp
+/// Tests: tests/coupling/bridge/conformance_test.cpp
 #pragma once
 
 #include <string>

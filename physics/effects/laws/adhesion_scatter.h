@@ -11,7 +11,7 @@
 /// Phi normal distribution function, d_c critical diameter [m].
 /// Validity: grains independent of each other. DEM has one Gamma per pair of types and refuses it.
 /// Source: M. Gotzinger, W. Peukert, Powder Technol. 130 (2003) 102 (spread of adhesion forces).
-/// Tests: tests/models/effects_test.cpp
+/// Tests: tests/physics/effects_test.cpp
 #ifdef POWDERLINK_EFFECT
 POWDERLINK_EFFECT(adhesion_scatter, AdhesionScatter)
 #else

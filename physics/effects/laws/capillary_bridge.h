@@ -13,7 +13,7 @@
 /// Validity: small volume, quasi-static bridge (no viscous force), full wetting.
 /// Source: D. Maugis, J. Adhesion Sci. Technol. 1 (1987) 105; rupture: G. Lian et al.,
 /// J. Colloid Interface Sci. 161 (1993) 138.
-/// Tests: tests/models/effects_test.cpp
+/// Tests: tests/physics/effects_test.cpp
 #ifdef POWDERLINK_EFFECT
 POWDERLINK_EFFECT(capillary_bridge, CapillaryBridge)
 #else

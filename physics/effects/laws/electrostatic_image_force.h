@@ -13,7 +13,7 @@
 /// Validity: conducting plate, charge that does not move on the sphere.
 /// Source: J. D. Jackson, Classical Electrodynamics, Section 2.2. Breakdown of air at 3 MV/m limits
 /// sigma to 2.7e-5 C/m^2 on large spheres; small ones hold some times more.
-/// Tests: tests/models/effects_test.cpp, tests/analysis/reduced_model_test.cpp
+/// Tests: tests/physics/effects_test.cpp, tests/analysis/kat/reduced_model_test.cpp
 #ifdef POWDERLINK_EFFECT
 POWDERLINK_EFFECT(electrostatic_image_force, ElectrostaticImageForce)
 #else

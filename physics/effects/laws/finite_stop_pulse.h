@@ -11,7 +11,7 @@
 /// adhesion [J/m^2]. Sign: A > 0 slows the plate.
 /// Validity: stiff plate; any ratio of tau to the contact's period.
 /// Source: thesis of L. Pedrolli, Section 4.3 (contact times of 50-200 us on the device).
-/// Tests: tests/models/effects_test.cpp, tests/analysis/reduced_model_test.cpp
+/// Tests: tests/physics/effects_test.cpp, tests/analysis/kat/reduced_model_test.cpp
 #ifdef POWDERLINK_EFFECT
 POWDERLINK_EFFECT(finite_stop_pulse, FiniteStopPulse)
 #else

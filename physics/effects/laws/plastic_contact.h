@@ -15,7 +15,7 @@
 /// Validity: yield by adhesion alone (no other preload), a << R*, no hardening.
 /// Source: D. Maugis, H. M. Pollock, Acta Metall. 32 (1984) 1323; flattened radius: C. Thornton,
 /// Z. Ning, Powder Technol. 99 (1998) 154.
-/// Tests: tests/models/effects_test.cpp
+/// Tests: tests/physics/effects_test.cpp
 #ifdef POWDERLINK_EFFECT
 POWDERLINK_EFFECT(plastic_contact, PlasticContact)
 #else

@@ -9,7 +9,7 @@
 /// Validity: d_c is read as the largest grain that stayed. Nothing changes in the contact: DEM has
 /// no use for it, studies apply it to what LIGGGHTS finds.
 /// Source: definition, joined smoothly; sieve cuts and size distributions of the powder.
-/// Tests: tests/models/effects_test.cpp
+/// Tests: tests/physics/effects_test.cpp
 #ifdef POWDERLINK_EFFECT
 POWDERLINK_EFFECT(psd_cutoff, PsdCutoff)
 #else

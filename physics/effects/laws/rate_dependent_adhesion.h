@@ -10,7 +10,7 @@
 /// fracture energy has doubled [m/s], n exponent [-].
 /// Validity: dissipation confined to the edge; da/dt well below the Rayleigh speed.
 /// Source: D. Maugis, M. Barquins, J. Phys. D 11 (1978) 1989; K. Kendall, J. Adhesion 5 (1973) 179.
-/// Tests: tests/models/effects_test.cpp
+/// Tests: tests/physics/effects_test.cpp
 #ifdef POWDERLINK_EFFECT
 POWDERLINK_EFFECT(rate_dependent_adhesion, RateDependentAdhesion)
 #else

@@ -9,7 +9,7 @@
 /// interface [J/m^2].
 /// Validity: one asperity carries the contact; r_a >> R* is the smooth limit.
 /// Source: H. Rumpf, Chem. Ing. Tech. 42 (1970) 538 (asperity in series with the sphere).
-/// Tests: tests/models/effects_test.cpp
+/// Tests: tests/physics/effects_test.cpp
 #ifdef POWDERLINK_EFFECT
 POWDERLINK_EFFECT(surface_roughness, SurfaceRoughness)
 #else

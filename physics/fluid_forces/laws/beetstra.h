@@ -14,7 +14,7 @@
 /// Source: R. Beetstra, M.A. van der Hoef, J.A.M. Kuipers, AIChE J. 53 (2007) 489, with its erratum
 /// AIChE J. 53 (2007) 3020; Re -> 0: M.A. van der Hoef, R. Beetstra, J.A.M. Kuipers, J. Fluid Mech.
 /// 528 (2005) 233.
-/// Tests: tests/forces/drag_test.cpp
+/// Tests: tests/physics/fluid_forces/drag_test.cpp
 #ifdef POWDERLINK_FORCE
 POWDERLINK_FORCE(beetstra, Beetstra)
 #else

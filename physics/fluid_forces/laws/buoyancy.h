@@ -15,7 +15,7 @@
 /// Validity: g even, rho_f even over the particle.
 /// Source: C.T. Crowe et al., Multiphase Flows with Droplets and Particles, 2nd ed. (2012),
 /// Chapter 4.
-/// Tests: tests/forces/other_forces_test.cpp
+/// Tests: tests/physics/fluid_forces/other_forces_test.cpp
 #ifdef POWDERLINK_FORCE
 POWDERLINK_FORCE(buoyancy, Buoyancy)
 #else

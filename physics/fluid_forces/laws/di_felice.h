@@ -13,7 +13,7 @@
 /// below Stokes for Re -> 0; kept as in the source.
 /// Source: R. Di Felice, Int. J. Multiphase Flow 20 (1994) 153; J.M. Dallavalle, Micromeritics
 /// (1948); for the model K.D. Kafui, C. Thornton, M.J. Adams, Chem. Eng. Sci. 57 (2002) 2395.
-/// Tests: tests/forces/drag_test.cpp
+/// Tests: tests/physics/fluid_forces/drag_test.cpp
 #ifdef POWDERLINK_FORCE
 POWDERLINK_FORCE(di_felice, DiFelice)
 #else

@@ -15,7 +15,7 @@
 /// psi = 1 it is below Schiller-Naumann's, by 13 % at Re 10 and 26 % at Re 100. For spheres take a
 /// sphere's law.
 /// Source: G.H. Ganser, Powder Technol. 77 (1993) 143, Eq. 18 and Table 7 (isometric).
-/// Tests: tests/forces/drag_test.cpp
+/// Tests: tests/physics/fluid_forces/drag_test.cpp
 #ifdef POWDERLINK_FORCE
 POWDERLINK_FORCE(ganser, Ganser)
 #else

@@ -16,7 +16,7 @@
 /// down to 1.806 (Wen-Yu), -13 %; this is the law of the source and is kept.
 /// Source: D. Gidaspow, Multiphase Flow and Fluidization (1994), Chapter 2, after S. Ergun, Chem.
 /// Eng. Prog. 48 (1952) 89 and C.Y. Wen, Y.H. Yu, Chem. Eng. Prog. Symp. 62 (1966) 100.
-/// Tests: tests/forces/drag_test.cpp, tests/forces/packed_bed_test.cpp
+/// Tests: tests/physics/fluid_forces/drag_test.cpp, tests/physics/fluid_forces/packed_bed_test.cpp
 #ifdef POWDERLINK_FORCE
 POWDERLINK_FORCE(gidaspow, Gidaspow)
 #else

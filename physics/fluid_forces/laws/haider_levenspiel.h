@@ -16,7 +16,7 @@
 /// the authors' own fit for spheres. For Re -> 0 the law tends to the *sphere's* Stokes drag for
 /// every psi; `ganser` does better there.
 /// Source: A. Haider, O. Levenspiel, Powder Technol. 58 (1989) 63, Eqs. 4, 6 and 10.
-/// Tests: tests/forces/drag_test.cpp
+/// Tests: tests/physics/fluid_forces/drag_test.cpp
 #ifdef POWDERLINK_FORCE
 POWDERLINK_FORCE(haider_levenspiel, HaiderLevenspiel)
 #else

@@ -20,7 +20,7 @@
 /// Source: D.L. Koch, R.J. Hill, Annu. Rev. Fluid Mech. 33 (2001) 619; R.J. Hill, D.L. Koch, A.J.C.
 /// Ladd, J. Fluid Mech. 448 (2001) 213 (F0) and 243 (F3); F0 from D.L. Koch, A.S. Sangani, J. Fluid
 /// Mech. 400 (1999) 229.
-/// Tests: tests/forces/drag_test.cpp
+/// Tests: tests/physics/fluid_forces/drag_test.cpp
 #ifdef POWDERLINK_FORCE
 POWDERLINK_FORCE(koch_hill, KochHill)
 #else

@@ -16,7 +16,7 @@
 ///   C_LR = 0.45 + (2 gamma - 0.45) exp(-0.075 gamma^0.4 Re^0.7)
 /// in Re_r as in C.T. Crowe et al., Multiphase Flows with Droplets and Particles, 2nd ed. (2012),
 /// Chapter 4; limit: S.I. Rubinow, J.B. Keller, J. Fluid Mech. 11 (1961) 447.
-/// Tests: tests/forces/other_forces_test.cpp
+/// Tests: tests/physics/fluid_forces/other_forces_test.cpp
 #ifdef POWDERLINK_FORCE
 POWDERLINK_FORCE(magnus, Magnus)
 #else

@@ -11,7 +11,7 @@
 /// Validity: Re < 2e5; the two branches meet at Re 1000 (0.424).
 /// Source: A. Putnam, ARS J. 31 (1961) 1467; A.A. Amsden, P.J. O'Rourke, T.D. Butler, KIVA-II,
 /// LA-11560-MS (1989).
-/// Tests: tests/forces/drag_test.cpp
+/// Tests: tests/physics/fluid_forces/drag_test.cpp
 #ifdef POWDERLINK_FORCE
 POWDERLINK_FORCE(openfoam_sphere, OpenfoamSphere)
 #else

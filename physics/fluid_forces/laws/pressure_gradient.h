@@ -12,8 +12,8 @@
 /// is counted twice.
 /// Source: C.T. Crowe et al., Multiphase Flows with Droplets and Particles, 2nd ed. (2012),
 /// Chapter 4; Z.Y. Zhou, S.B. Kuang, K.W. Chu, A.B. Yu, J. Fluid Mech. 661 (2010) 482, set II.
-/// Tests: tests/forces/other_forces_test.cpp
-///        tests/forces/packed_bed_test.cpp
+/// Tests: tests/physics/fluid_forces/other_forces_test.cpp
+///        tests/physics/fluid_forces/packed_bed_test.cpp
 #ifdef POWDERLINK_FORCE
 POWDERLINK_FORCE(pressure_gradient, PressureGradient)
 #else

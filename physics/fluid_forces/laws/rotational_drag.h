@@ -16,8 +16,8 @@
 /// Source: S.C.R. Dennis, S.N. Singh, D.B. Ingham, J. Fluid Mech. 101 (1980) 257: 6.45/sqrt(R) +
 /// 32.1/R with R = Re_r/4; in Re_r C.T. Crowe et al., Multiphase Flows with Droplets and Particles,
 /// 2nd ed. (2012), Chapter 4; Stokes: H. Lamb, Hydrodynamics, Chapter XI (8 pi mu a^3).
-/// Tests: tests/forces/other_forces_test.cpp
-///        tests/forces/settling_test.cpp
+/// Tests: tests/physics/fluid_forces/other_forces_test.cpp
+///        tests/physics/fluid_forces/settling_test.cpp
 #ifdef POWDERLINK_FORCE
 POWDERLINK_FORCE(rotational_drag, RotationalDrag)
 #else

@@ -19,7 +19,7 @@
 /// 6 % at beta 0.4 and 14 % at 0.1. Spin adds nothing at this order; walls are not in it.
 /// Source: P.G. Saffman, J. Fluid Mech. 22 (1965) 385 and 31 (1968) 624 (6.46); R. Mei, Int. J.
 /// Multiphase Flow 18 (1992) 145; thesis of L. Pedrolli, Eqs. 2.21-2.27.
-/// Tests: tests/forces/other_forces_test.cpp
+/// Tests: tests/physics/fluid_forces/other_forces_test.cpp
 #ifdef POWDERLINK_FORCE
 POWDERLINK_FORCE(saffman_mei, SaffmanMei)
 #else

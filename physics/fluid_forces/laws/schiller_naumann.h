@@ -16,7 +16,7 @@
 /// Validity: Re < 800 within 5 %; C_D jumps from 0.438 up to 0.44 (+0.4 %) at Re 1000.
 /// Source: L. Schiller, A. Naumann, Z. Ver. Dtsch. Ing. 77 (1933) 318; with the plateau as in C.T.
 /// Crowe et al., Multiphase Flows with Droplets and Particles, 2nd ed. (2012), Chapter 4.
-/// Tests: tests/forces/drag_test.cpp
+/// Tests: tests/physics/fluid_forces/drag_test.cpp
 #ifdef POWDERLINK_FORCE
 POWDERLINK_FORCE(schiller_naumann, SchillerNaumann)
 #else

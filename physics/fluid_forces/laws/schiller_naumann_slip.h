@@ -15,7 +15,7 @@
 /// plateau, which begins without a step.
 /// Validity: a single sphere, Re < 800 within 5 %.
 /// Source: L. Schiller, A. Naumann, Z. Ver. Dtsch. Ing. 77 (1933) 318.
-/// Tests: tests/forces/drag_test.cpp
+/// Tests: tests/physics/fluid_forces/drag_test.cpp
 #ifdef POWDERLINK_FORCE
 POWDERLINK_FORCE(schiller_naumann_slip, SchillerNaumannSlip)
 #else

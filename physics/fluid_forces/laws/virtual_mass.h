@@ -15,7 +15,7 @@
 /// 284 (1995) 97). For metal in gas m_a/m is 1e-4.
 /// Source: T.R. Auton, J.C.R. Hunt, M. Prud'homme, J. Fluid Mech. 197 (1988) 241 (D/Dt, not the d/dt
 /// along the particle).
-/// Tests: tests/forces/other_forces_test.cpp, foam_cases/added_mass
+/// Tests: tests/physics/fluid_forces/other_forces_test.cpp, foam_cases/added_mass
 #ifdef POWDERLINK_FORCE
 POWDERLINK_FORCE(virtual_mass, VirtualMass)
 #else

@@ -11,7 +11,7 @@
 /// Validity: div tau even over the particle. With `pressure_gradient` this is the force
 /// rho_f V (Du/Dt - g) that the fluid in the particle's place would feel, without its buoyancy.
 /// Source: Z.Y. Zhou, S.B. Kuang, K.W. Chu, A.B. Yu, J. Fluid Mech. 661 (2010) 482, set II.
-/// Tests: tests/forces/other_forces_test.cpp
+/// Tests: tests/physics/fluid_forces/other_forces_test.cpp
 #ifdef POWDERLINK_FORCE
 POWDERLINK_FORCE(viscous_stress, ViscousStress)
 #else

@@ -10,7 +10,7 @@
 /// Symbols: a0 contact radius [m], R radius of the grain [m], K = 4/3 E* [Pa], lambda wavelength [m].
 /// Validity: JKR, no load, monochromatic light at normal incidence.
 /// Source: thesis of L. Pedrolli, Eq. 4.7; rings: M. Born, E. Wolf, Principles of Optics, Section 7.5.
-/// Tests: tests/analysis/gamma_methods_test.cpp
+/// Tests: tests/analysis/kat/gamma_methods_test.cpp
 #ifdef POWDERLINK_GAMMA_METHOD
 POWDERLINK_GAMMA_METHOD(ContactRadiusAtRest)
 #else

@@ -7,7 +7,7 @@
 /// Symbols: A peak deceleration of carrier and plate [m/s^2], others as in energy.h.
 /// Validity: JKR; the pulse is much longer than the contact's own period, and A is that of the plate
 /// itself (from the anvil's, a_carrier = a_anvil m_anvil/m_carrier).
-/// Source: thesis of L. Pedrolli, Section 4.3. Tests: tests/analysis/gamma_methods_test.cpp
+/// Source: thesis of L. Pedrolli, Section 4.3. Tests: tests/analysis/kat/gamma_methods_test.cpp
 #ifdef POWDERLINK_GAMMA_METHOD
 POWDERLINK_GAMMA_METHOD(Deceleration)
 #else

@@ -6,7 +6,7 @@
 ///
 /// Symbols: v impact velocity [m/s], R_c = d_c/2 [m], K = 4/3 E* [Pa], rho density of the grain [kg/m^3].
 /// Validity: JKR; the plate stops in much less than the contact's own period (0.1 to 3 us).
-/// Source: thesis of L. Pedrolli, Eq. 4.5. Tests: tests/analysis/gamma_methods_test.cpp
+/// Source: thesis of L. Pedrolli, Eq. 4.5. Tests: tests/analysis/kat/gamma_methods_test.cpp
 #ifdef POWDERLINK_GAMMA_METHOD
 POWDERLINK_GAMMA_METHOD(Energy)
 #else

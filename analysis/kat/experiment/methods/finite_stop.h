@@ -11,7 +11,7 @@
 /// Symbols: tau contact time [s], e_p rebound of the plate [-], others as in energy.h.
 /// Validity: JKR; the plate is stiff and the pulse a half-sine (within 15 % of Gamma for others of the
 /// same duration: a Hertzian one has 1.14 times its peak).
-/// Source: thesis of L. Pedrolli, Section 4.3. Tests: tests/analysis/gamma_methods_test.cpp
+/// Source: thesis of L. Pedrolli, Section 4.3. Tests: tests/analysis/kat/gamma_methods_test.cpp
 #ifdef POWDERLINK_GAMMA_METHOD
 POWDERLINK_GAMMA_METHOD(FiniteStop)
 #else

@@ -8,7 +8,7 @@
 /// [Pa], others as in energy.h. The mean deceleration v/t_d acts on m and meets the pull-off force.
 /// Validity: an estimate; the plate is taken to stop as fast as the grain itself would rebound.
 /// Source: thesis of L. Pedrolli, Eqs. 2.4 (with E*^2, see docs/theory.md) and 4.10.
-/// Tests: tests/analysis/gamma_methods_test.cpp
+/// Tests: tests/analysis/kat/gamma_methods_test.cpp
 #ifdef POWDERLINK_GAMMA_METHOD
 POWDERLINK_GAMMA_METHOD(ReboundTime)
 #else
