@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # scripts/check_docs.sh [--links | --forces | --scripts LAUNCHER]
-# --links: every relative link of our pages leads to a file.
+# --links: every relative link of our pages leads to a file, and so does every path of the sources that they name.
 # --forces: every law of forces.def has its row in docs/theory_coupling.md, and every row its law.
 # --scripts: every LIGGGHTS script and every job shown in a page, in one folder per page and in its order,
 #   ends with status 0 and prints what the page says. Marked by a line before its block:
@@ -27,6 +27,11 @@ links() {
       [[ -z $target || $target == *://* || $target == mailto:* || -e $(dirname "$page")/$target ]] ||
         broken "$page: link to $target; given: no such file; allowed: a file of the repository; to do: correct the link"
     done < <(grep -oE '\]\([^)]+\)' "$page" | sed -E 's/^\]\(//; s/\)$//')
+    # A path in backticks, but for patterns with NAME.
+    while IFS= read -r target; do
+      [[ $target == *NAME* || -e $target ]] ||
+        broken "$page: path $target; given: no such file; allowed: a path from the root; to do: correct it"
+    done < <(grep -oE '`(base|physics|liggghts_styles|coupling|analysis|kat_firmware|scripts|tests|findings|cmake)/[A-Za-z0-9_./-]+`' "$page" | tr -d '`')
   done
 }
 
