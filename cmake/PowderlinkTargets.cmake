@@ -4,7 +4,8 @@
 #   powderlink_library(NAME [STATIC|SHARED|MODULE|OBJECT|INTERFACE]     default STATIC
 #     [SOURCES file...] [LIBRARIES target...] [PRIVATE_LIBRARIES target...]
 #     [INCLUDES dir...] [DEFINITIONS def...])
-#   powderlink_executable(NAME SOURCES file... [LIBRARIES ...] [INCLUDES ...] [DEFINITIONS ...])
+#   powderlink_executable(NAME SOURCES file... [LIBRARIES ...] [INCLUDES ...] [DEFINITIONS ...]
+#     [PRECOMPILE header...])  headers that most of its sources read
 #   powderlink_benchmark(NAME [OWN_MAIN] SOURCES file... [LIBRARIES ...] ...)   Google Benchmark, with main
 #                              unless OWN_MAIN; in bench_bin/, built by the target `benchmarks` only
 #   powderlink_test(NAME SOURCES file...                                GoogleTest
@@ -29,9 +30,8 @@ option(POWDERLINK_NATIVE "Compile for this machine's processor (-march=native)" 
 option(POWDERLINK_SANITIZE "Address and undefined-behaviour sanitizers in our own code" OFF)
 # Templates of Boost, fmt and OpenFOAM cost more than our own lines: read once for several sources they
 # cost a third. A file that lacks an include shows with OFF, as does clang-tidy.
-option(POWDERLINK_UNITY "Compile several sources of a target at once" ON)
+option(POWDERLINK_UNITY "Compile several sources of a library at once" ON)
 set(POWDERLINK_UNITY_SOURCES 8 CACHE STRING "Sources that are compiled at once, at most")
-set(CMAKE_UNITY_BUILD ${POWDERLINK_UNITY})
 set(CMAKE_UNITY_BUILD_BATCH_SIZE ${POWDERLINK_UNITY_SOURCES})
 
 add_library(powderlink_flags INTERFACE)
@@ -87,6 +87,7 @@ function(powderlink_library name)
     set(scope PUBLIC)
     target_link_libraries(${name} PRIVATE $<BUILD_INTERFACE:powderlink_flags>
       ${arg_PRIVATE_LIBRARIES})
+    set_target_properties(${name} PROPERTIES UNITY_BUILD ${POWDERLINK_UNITY})
   endif()
   target_include_directories(${name} ${scope} ${PROJECT_SOURCE_DIR} ${arg_INCLUDES})
   target_compile_definitions(${name} ${scope} ${arg_DEFINITIONS})
@@ -107,7 +108,10 @@ function(_powderlink_program name)
 endfunction()
 
 function(powderlink_executable name)
-  _powderlink_program(${name} ${ARGN})
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;LIBRARIES;INCLUDES;DEFINITIONS;PRECOMPILE")
+  _powderlink_program(${name} SOURCES ${arg_SOURCES} LIBRARIES ${arg_LIBRARIES}
+    INCLUDES ${arg_INCLUDES} DEFINITIONS ${arg_DEFINITIONS})
+  target_precompile_headers(${name} PRIVATE ${arg_PRECOMPILE})
   add_dependencies(programs ${name})
 endfunction()
 

@@ -29,7 +29,7 @@ if [[ $mode == write || $mode == check ]]; then
   trap 'rm -f "$written"' EXIT
   awk -F ' *[|] *' -v table="$table" -v page="$page" '
     FILENAME == table {
-      if (/^#/) next
+      if (/^(#|never )/) next
       if (!rows) rows = "| folder | what it is | built as | includes |\n|---|---|---|---|\n"
       gsub(/[^ ]+/, "`&`", $2)
       sub(/^`-`$/, "nothing of ours", $2)
@@ -69,6 +69,14 @@ done < <(printf '%s\n' "${sources[@]}" | awk -F ' *[|] *' -v table="$table" '
   }
   BEGIN {
     while ((getline < table) > 0) {
+      if (/^never /) {
+        at = substr($0, 7)
+        sub(/:.*/, "", at)
+        sub(/^[^:]*: */, "")
+        n = split($0, names, " ")
+        for (i = 1; i <= n; i++) never[at, names[i]] = 1
+        continue
+      }
       if (/^#/ || NF < 2) continue
       rank[$1] = ++rows
       n = split($2, names, " ")
@@ -96,9 +104,14 @@ done < <(printf '%s\n' "${sources[@]}" | awk -F ' *[|] *' -v table="$table" '
       line = 0
       while ((getline text < file) > 0) {
         line++
-        if (text !~ /^[ \t]*#[ \t]*include[ \t]+"/) continue
-        split(text, parts, "\"")
+        if (text !~ /^[ \t]*#[ \t]*include[ \t]+["<]/) continue
+        split(text, parts, /["<>]/)
         to = parts[2]
+        for (at = folder(file); ; at = folder(at)) {
+          if ((at, to) in never)
+            printf "%s:%d: %s never includes it;#include %s\n", file, line, at, to
+          if (at !~ /\//) break
+        }
         if (!(to in known)) {
           beside = folder(file) "/" to
           if (beside in known) to = beside

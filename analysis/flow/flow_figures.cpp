@@ -16,13 +16,13 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::uint64_t kEnough = 20;  // a percentile of a handful of particles says nothing
+constexpr std::uint64_t kEnoughInSlice = 20;  // a percentile of a handful of particles says nothing
 
 /// Slices with enough particles for percentiles.
 std::size_t full_slices(const FlowStatistics& particles) {
   return static_cast<std::size_t>(
       std::count_if(particles.profile().begin(), particles.profile().end(),
-                    [](const auto& slice) { return slice.second.up.count() >= kEnough; }));
+                    [](const auto& slice) { return slice.second.up.count() >= kEnoughInSlice; }));
 }
 
 /// Why there is nothing that a figure could show; empty when there is.
@@ -49,7 +49,7 @@ std::string why_not(const std::string& name, const FlowReport& report) {
   return fmt::format(
       "fewer than two slices of {:g} m hold {} particles or more; "
       "give another --slice-thickness, or an earlier --from",
-      particles.window().slice_m, kEnough);
+      particles.window().slice_m, kEnoughInSlice);
 }
 
 }  // namespace
@@ -69,7 +69,7 @@ std::vector<std::string> draw_flow_figures(const FlowReport& report, const fs::p
       report.mean_flow_kg_s.value_or(0.0),
       report.irregularity ? report.irregularity->rms_percent : -1.0,
       1e3 * report.options.measures.average_s, axis.letter(), "xyz"[axis.across()],
-      "xyz"[axis.up()], kEnough);
+      "xyz"[axis.up()], kEnoughInSlice);
   std::vector<FlowFigure> figures;
   for (const char* name :
        {"pressure", "solids_flow", "height", "velocity", "width", "concentration"}) {

@@ -39,7 +39,7 @@ int run(int argc, char** argv) {
   // Names and numbers of users may hold anything.
   app.failure_message([](const CLI::App*, const CLI::Error& e) {
     const bool number = e.get_name() == "ConversionError";
-    return for_terminal(
+    return powderlink::for_terminal(
         std::string("powderlink: command line; given: ") + e.what() +
         "; allowed: what --help tells; to do: " +
         (number ? "write numbers without a unit, whole or with a decimal point as the option asks"

@@ -15,7 +15,7 @@ namespace powderlink::analysis {
 
 namespace {
 
-constexpr double kRounding = 1e-6;  // of a slice
+constexpr double kSliceRounding = 1e-6;  // of a slice
 
 class Clusters : public FlowObservable {
  public:
@@ -43,7 +43,7 @@ class Clusters : public FlowObservable {
     const double mean = grains / static_cast<double>(states * count);
     const double threshold = measures.cluster_threshold * mean;
     const auto shortest = static_cast<std::size_t>(
-        std::max(1.0, std::ceil(measures.cluster_length_m / ds - kRounding)));
+        std::max(1.0, std::ceil(measures.cluster_length_m / ds - kSliceRounding)));
     const char letter = scene.window().axis.letter();
     std::string table = fmt::format(
         "# slices of {:g} m with more than {:g} times the mean of {:.6g} grains, "
@@ -120,8 +120,8 @@ class Clusters : public FlowObservable {
     const double last = static_cast<double>(scene.particles->profile().rbegin()->first + 1) * ds;
     from = std::max(from, scene.reach_m ? scene.reach_m->from : first);
     to = std::min(to, scene.reach_m ? scene.reach_m->to : last);
-    const long low = std::lround(std::ceil(from / ds - kRounding));
-    const long high = std::lround(std::floor(to / ds + kRounding));
+    const long low = std::lround(std::ceil(from / ds - kSliceRounding));
+    const long high = std::lround(std::floor(to / ds + kSliceRounding));
     if (high <= low) return {};
     return std::pair(low, high);
   }

@@ -10,8 +10,8 @@ namespace powderlink::analysis {
 namespace {
 
 constexpr double kTail = 0.025;
-constexpr double kFewest = 3.0;     // windows
-constexpr double kRounding = 1e-6;  // of a window: 20 times 1e-4 is not quite 2e-3
+constexpr double kFewest = 3.0;          // windows
+constexpr double kCountRounding = 1e-6;  // of a window: 20 times 1e-4 is not quite 2e-3
 
 }  // namespace
 
@@ -23,7 +23,7 @@ double counting_floor(double rate_1_s, double window_s, double mass_variation, d
 }
 
 std::optional<Interval> rms_interval(double rms, double record_s, double window_s) {
-  const double windows = std::floor(record_s / window_s + kRounding);
+  const double windows = std::floor(record_s / window_s + kCountRounding);
   if (!(windows >= kFewest)) return {};
   const boost::math::chi_squared squares(windows - 1.0);
   return Interval{rms * std::sqrt((windows - 1.0) / quantile(complement(squares, kTail))),

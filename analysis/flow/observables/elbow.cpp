@@ -13,13 +13,13 @@ namespace {
 
 using Bends = std::vector<double>;  // in parts of the record, increasing
 
-constexpr std::size_t kFewest = 8;  // rows
-constexpr int kGrid = 200;          // places of one bend that are tried first
-constexpr int kPairGrid = 40;       // places of each of two
-constexpr double kMargin = 0.02;    // of the record: at each end, and between two bends
-constexpr int kBits = 30;           // of a bend's time
-constexpr int kRounds = 30;         // of refining two bends in turn
-constexpr double kSettled = 1e-9;   // relative change of the squares in a round
+constexpr std::size_t kFewestPoints = 8;  // rows
+constexpr int kGrid = 200;                // places of one bend that are tried first
+constexpr int kPairGrid = 40;             // places of each of two
+constexpr double kMargin = 0.02;          // of the record: at each end, and between two bends
+constexpr int kBits = 30;                 // of a bend's time
+constexpr int kRounds = 30;               // of refining two bends in turn
+constexpr double kSettled = 1e-9;         // relative change of the squares in a round
 constexpr double kRisk = 0.01, kOutside = 0.05;
 
 /// Straight pieces that meet, fitted to the rows; times in parts of the record.
@@ -174,7 +174,7 @@ double Elbow::at(double t) const {
 
 std::optional<Elbow> find_elbow(const std::vector<double>& times,
                                 const std::vector<double>& values) {
-  if (times.size() < kFewest) return {};
+  if (times.size() < kFewestPoints) return {};
   const Pieces pieces(times, values);
   Fit best(pieces, {});
   for (const Fit& more : {Fit(pieces, pieces.best_of_one()), Fit(pieces, pieces.best_of_two())}) {

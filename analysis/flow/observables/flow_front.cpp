@@ -19,9 +19,9 @@ namespace powderlink::analysis {
 
 namespace {
 
-constexpr double kFall = 0.2;        // of the largest velocity
-constexpr std::size_t kEnough = 20;  // grains in a bin, and states for an interval
-constexpr double kTail = 0.025;
+constexpr double kFall = 0.2;              // of the largest velocity
+constexpr std::size_t kEnoughGrains = 20;  // grains in a bin, and states for an interval
+constexpr double kFrontTail = 0.025;
 
 struct Motion {
   std::array<std::size_t, ChannelBins::kCount> count{};
@@ -54,7 +54,7 @@ class FlowFront : public FlowObservable {
     if (!bins_) return found;
     const auto front = front_m(all_);
     std::optional<Interval> moves;
-    if (front && places_.size() >= kEnough) {
+    if (front && places_.size() >= kEnoughGrains) {
       std::vector<double> sorted;
       for (const auto& entry : places_) sorted.push_back(entry.second);
       std::sort(sorted.begin(), sorted.end());
@@ -62,7 +62,7 @@ class FlowFront : public FlowObservable {
         return sorted[static_cast<std::size_t>(
             std::lround(share * static_cast<double>(sorted.size() - 1)))];
       };
-      moves = Interval{rank(kTail), rank(1.0 - kTail)};
+      moves = Interval{rank(kFrontTail), rank(1.0 - kFrontTail)};
     }
     found.numbers.push_back({"front_m", front, moves});
     if (front) {
@@ -90,7 +90,7 @@ class FlowFront : public FlowObservable {
     double mass = 0.0, momentum = 0.0;
     for (std::size_t i = 0; i < ChannelBins::kCount; ++i) {
       const std::size_t bin = window_.axis.way > 0 ? i : ChannelBins::kCount - 1 - i;
-      if (motion.count[bin] < kEnough) continue;
+      if (motion.count[bin] < kEnoughGrains) continue;
       const double place = bins_->centre_m(bin);
       profile.emplace_back(place, motion.momentum[bin] / motion.mass[bin]);
       if (!window_.holds(place)) continue;

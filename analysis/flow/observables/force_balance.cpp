@@ -27,7 +27,6 @@ namespace powderlink::analysis {
 namespace {
 
 constexpr double kLongestStep = 0.25;  // of the part, between two states
-constexpr double kPercent = 100.0;
 
 /// Share of [low, high] that lies in the part.
 double share_inside(double low, double high, const Interval& part) {
@@ -114,9 +113,9 @@ class ForceBalance : public FlowObservable {
         {"powder", "not closed", "powder_rest", powder_rest_N}};
     write(found, terms, *area_m2, from_s, to_s);
     found.numbers.push_back(
-        {"force_balance_gas_open_percent", kPercent * std::abs(gas_rest_N / drop_N)});
+        {"force_balance_gas_open_percent", 100.0 * std::abs(gas_rest_N / drop_N)});
     found.numbers.push_back(
-        {"force_balance_powder_open_percent", kPercent * std::abs(powder_rest_N / fluid_N)});
+        {"force_balance_powder_open_percent", 100.0 * std::abs(powder_rest_N / fluid_N)});
     return found;
   }
 
@@ -209,7 +208,7 @@ class ForceBalance : public FlowObservable {
     table.flush_left(1);
     const double drop_N = terms.front().force_N;
     for (const Term& term : terms) {
-      const double share = kPercent * term.force_N / drop_N;
+      const double share = 100.0 * term.force_N / drop_N;
       csv += fmt::format("{},{},{:.9g},{:.6g},{:.4g}\n", term.balance, term.name, term.force_N,
                          term.force_N / area_m2, share);
       table.add({term.balance, term.name, fmt::format("{:.5g}", term.force_N / area_m2),

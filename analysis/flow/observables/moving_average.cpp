@@ -12,7 +12,7 @@ namespace powderlink::analysis {
 
 namespace {
 
-constexpr double kRounding = 1e-9;  // of the window: times in files are rounded
+constexpr double kWindowRounding = 1e-9;  // of the window: times in files are rounded
 
 /// Integral of the samples' polygon up to any time.
 class Integral {
@@ -46,7 +46,7 @@ std::vector<std::optional<double>> moving_average(const std::vector<double>& tim
   std::vector<std::optional<double>> averages(times.size());
   if (times.size() < 2) return averages;
   const Integral integral(times, values);
-  const double slack = kRounding * window;
+  const double slack = kWindowRounding * window;
   for (std::size_t i = 0; i < times.size(); ++i) {
     const double from = times[i] - 0.5 * window, to = times[i] + 0.5 * window;
     if (from < times.front() - slack || to > times.back() + slack) continue;

@@ -22,10 +22,9 @@ namespace {
 
 namespace acc = boost::accumulators;
 
-constexpr double kSure = 0.975;      // both tails: 95 %
-constexpr double kFewWindows = 5.0;  // fewer say nothing about an rms
-constexpr double kRounding = 1e-9;   // of times, which are printed with 6 digits or more
-constexpr double kPercent = 100.0;
+constexpr double kSure = 0.975;         // both tails: 95 %
+constexpr double kFewWindows = 5.0;     // fewer say nothing about an rms
+constexpr double kTimeRounding = 1e-9;  // of times, which are printed with 6 digits or more
 constexpr std::size_t kFewRows = 3;
 
 /// Left mass at the times of the counts, linear between.
@@ -42,7 +41,7 @@ struct LeftMass {
   /// Flow over windows around the times of the counts whose window is within the record.
   std::vector<std::optional<double>> flow_kg_s(double window_s) const {
     std::vector<std::optional<double>> flow(times_s.size());
-    const double hair_s = kRounding * window_s;
+    const double hair_s = kTimeRounding * window_s;
     for (std::size_t i = 0; i < times_s.size(); ++i) {
       const double from = times_s[i] - 0.5 * window_s, to = times_s[i] + 0.5 * window_s;
       if (from < times_s.front() - hair_s || to > times_s.back() + hair_s) continue;
@@ -70,12 +69,12 @@ class OutletFlow : public FlowObservable {
     const double mean_kg_s = (left.mass_kg.back() - left.mass_kg.front()) / record_s;
     const auto flow = left.flow_kg_s(window_s);
     const auto rms = irregularity(flow);
-    const double windows = std::floor(record_s / window_s + kRounding);
+    const double windows = std::floor(record_s / window_s + kTimeRounding);
     std::optional<Interval> of_mean;
     if (rms && windows >= 2.0) {
       const boost::math::students_t t(windows - 1.0);
       const double error =
-          quantile(t, kSure) * rms->rms_percent / kPercent * mean_kg_s / std::sqrt(windows);
+          quantile(t, kSure) * rms->rms_percent / 100.0 * mean_kg_s / std::sqrt(windows);
       of_mean = Interval{mean_kg_s - error, mean_kg_s + error};
     }
     found.numbers.push_back({"outlet_flow_kg_s", mean_kg_s, of_mean});
@@ -88,9 +87,8 @@ class OutletFlow : public FlowObservable {
                       left.times_s.size(), record_s, window_s));
     }
     const std::optional<double> floor =
-        rate_1_s > 0.0
-            ? std::optional(kPercent * counting_floor(rate_1_s, window_s, variation(), 0))
-            : std::nullopt;
+        rate_1_s > 0.0 ? std::optional(100.0 * counting_floor(rate_1_s, window_s, variation(), 0))
+                       : std::nullopt;
     found.numbers.push_back(
         {"outlet_flow_rms_percent", rms ? std::optional(rms->rms_percent) : std::nullopt,
          rms ? rms_interval(rms->rms_percent, record_s, window_s) : std::nullopt});
@@ -147,8 +145,8 @@ class OutletFlow : public FlowObservable {
       grains /= static_cast<double>(times.size());
       const double rate_1_s = grains * *speed / thickness_m;
       if (rate_1_s > 0.0) {
-        floor = kPercent * counting_floor(rate_1_s, scene.measures.average_s, variation(),
-                                          thickness_m / *speed);
+        floor = 100.0 * counting_floor(rate_1_s, scene.measures.average_s, variation(),
+                                       thickness_m / *speed);
       }
       interval = rms_interval(*scene.irregularity_percent, times.back() - times.front(),
                               scene.measures.average_s);
@@ -206,7 +204,7 @@ class OutletFlow : public FlowObservable {
       ++rows;
       table += fmt::format("{:.6g},{:.6g},{:.6g},{:.6g},{:.6g}\n", window_s, rms->rms_percent,
                            interval->from, interval->to,
-                           kPercent * counting_floor(rate_1_s, window_s, variation(), 0.0));
+                           100.0 * counting_floor(rate_1_s, window_s, variation(), 0.0));
     }
     found.tables.emplace_back("outlet_rms.csv", table);
     found.figures.push_back(

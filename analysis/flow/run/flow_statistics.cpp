@@ -17,7 +17,7 @@ namespace {
 constexpr double kFlowSlice_m = 0.01;
 constexpr double kClassesPerRadius = 64.0;  // percentiles to 1.6 % of a particle's radius
 constexpr double kMostSlices = 1e6;
-constexpr double kRounding = 1e-6;  // of a slice: 0.2/0.001 is not quite 200
+constexpr double kSliceRounding = 1e-6;  // of a slice: 0.2/0.001 is not quite 200
 
 long slice_of(double place_m, double slice_m, double rounding = 0.0) {
   return static_cast<long>(std::floor(place_m / slice_m + rounding));
@@ -93,15 +93,15 @@ std::optional<Interval> FlowStatistics::flow_slice_m(std::optional<Interval> wan
                          "two places on the axis in metres, the lower one first",
                          "such as 0.24 0.25");
     }
-    return Interval{dz * static_cast<double>(slice_of(wanted->from, dz, kRounding)),
-                    dz * std::ceil(wanted->to / dz - kRounding)};
+    return Interval{dz * static_cast<double>(slice_of(wanted->from, dz, kSliceRounding)),
+                    dz * std::ceil(wanted->to / dz - kSliceRounding)};
   }
   if (profile_.empty()) return {};
   const double first_m =
       std::max(window_.from_m, dz * static_cast<double>(profile_.begin()->first));
-  const long first = slice_of(first_m, dz, kRounding);
+  const long first = slice_of(first_m, dz, kSliceRounding);
   const double last_m = std::min(window_.to_m, dz * static_cast<double>(profile_.rbegin()->first));
-  const long last = slice_of(last_m, dz, kRounding);
+  const long last = slice_of(last_m, dz, kSliceRounding);
   if (last < first) return {};
   const long all = last - first + 1;
   const long thick = std::clamp(std::lround(kFlowSlice_m / dz), 1L, all);

@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr double kRounding = 1e-9;  // of a time: names of folders and sums of steps are rounded
+constexpr double kTimeRounding = 1e-9;  // of a time: names of folders and sums of steps are rounded
 
 std::optional<double> time_of_name(const std::string& name) {
   double time = 0.0;
@@ -92,7 +92,7 @@ ParticleClock::ParticleClock(const fs::path& case_folder, std::optional<double> 
 
 double ParticleClock::on_gas_clock(double particles_s) const {
   if (ahead_.empty()) return without_round_off(particles_s, particles_s);
-  const auto next = ahead_.lower_bound(particles_s * (1.0 - kRounding));
+  const auto next = ahead_.lower_bound(particles_s * (1.0 - kTimeRounding));
   const double ahead_s = next == ahead_.end() ? ahead_.rbegin()->second : next->second;
   return without_round_off(particles_s - ahead_s,
                            std::max(std::abs(particles_s), std::abs(ahead_s)));

@@ -25,7 +25,7 @@ namespace {
 
 constexpr double kNotFound = -1e200;  // OpenFOAM's mark for a probe outside the mesh is -1e300
 
-[[noreturn]] void damaged(const fs::path& file, long line, const std::string& given) {
+[[noreturn]] void damaged_probes(const fs::path& file, long line, const std::string& given) {
   throw InvalidInput(fmt::format("reading {}, line {}", file.string(), line), given,
                      "scalar probes as OpenFOAM writes them: "
                      "# Probe N (x y z), then a time and one value per probe",
@@ -37,7 +37,7 @@ double number(const std::string& text, const fs::path& file, long line) {
   const char* last = text.data() + text.size();
   const auto [end, error] = std::from_chars(text.data(), last, value);
   if (error != std::errc() || end != last || !std::isfinite(value)) {
-    damaged(file, line, "'" + text.substr(0, 40) + "' where a number belongs");
+    damaged_probes(file, line, "'" + text.substr(0, 40) + "' where a number belongs");
   }
   return value;
 }
@@ -86,12 +86,12 @@ ProbeFile read_probes(const fs::path& file) {
     if (row.second.size() != probes.places.size()) {
       // A run that was killed may leave its last line unfinished.
       if (in.peek() == std::ifstream::traits_type::eof()) break;
-      damaged(file, count,
+      damaged_probes(file, count,
               fmt::format("{} values for {} probes", row.second.size(), probes.places.size()));
     }
     probes.rows.push_back(std::move(row));
   }
-  if (probes.places.empty()) damaged(file, count, "no line # Probe N (x y z)");
+  if (probes.places.empty()) damaged_probes(file, count, "no line # Probe N (x y z)");
   return probes;
 }
 
@@ -164,7 +164,7 @@ PressureProfile read_pressure(const fs::path& case_folder, const std::string& se
       sums.assign(places.size(), 0.0);
       weights.assign(places.size(), 0.0);
     } else if (places != file.places) {
-      damaged(at->second, 1, "other probes than before the restart");
+      damaged_probes(at->second, 1, "other probes than before the restart");
     }
     double before = at->first;
     for (const auto& [time, values] : file.rows) {

@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-[[noreturn]] void damaged(const fs::path& file, long line, const std::string& given) {
+[[noreturn]] void damaged_table(const fs::path& file, long line, const std::string& given) {
   throw InvalidInput(fmt::format("reading {}, line {}", file.string(), line), given,
                      "rows of numbers, as many as in the rows before",
                      "run the case again, or remove this file");
@@ -126,7 +126,7 @@ RunTable read_function_object(const fs::path& folder, const std::string& functio
       if (good && columns == 0) columns = values.size();
       if (!good || values.size() != columns) {
         if (ends(in)) break;
-        damaged(file, count, "'" + line.substr(0, 60) + "'");
+        damaged_table(file, count, "'" + line.substr(0, 60) + "'");
       }
       table.rows[values.front()].assign(values.begin() + 1, values.end());
     }
@@ -148,10 +148,10 @@ std::map<std::string, std::vector<double>> read_counts(const fs::path& folder) {
       titles = titles_of(line, ',');
       continue;
     }
-    if (titles.empty()) damaged(file, count, "no title that begins with time_s");
+    if (titles.empty()) damaged_table(file, count, "no title that begins with time_s");
     if (!numbers_of(line, values) || values.size() != titles.size()) {
       if (ends(in)) break;
-      damaged(file, count, "'" + line.substr(0, 60) + "'");
+      damaged_table(file, count, "'" + line.substr(0, 60) + "'");
     }
     auto& times = columns["time_s"];
     // What a stopped run wrote beyond its checkpoint is written again.
@@ -179,7 +179,7 @@ std::vector<BinnedForces> read_powder_forces(const fs::path& folder) {
     std::vector<double> values;
     const auto column = [&](const char* title, long count) {
       const auto at = std::find(titles.begin(), titles.end(), title);
-      if (at == titles.end()) damaged(file, count, fmt::format("no column {}", title));
+      if (at == titles.end()) damaged_table(file, count, fmt::format("no column {}", title));
       return static_cast<std::size_t>(at - titles.begin());
     };
     BinnedForces state;
@@ -196,7 +196,7 @@ std::vector<BinnedForces> read_powder_forces(const fs::path& folder) {
       }
       if (!good || values.size() != titles.size() || bins == 0) {
         if (ends(in)) break;
-        damaged(file, count, "'" + line.substr(0, 60) + "'");
+        damaged_table(file, count, "'" + line.substr(0, 60) + "'");
       }
       const double particles = values[column("Ncount", count)];
       state.centre_m.push_back(values[column("Coord", count)]);

@@ -18,7 +18,7 @@ struct Column {
   double ContactRadius::*value;
 };
 
-const Column kColumns[] = {
+const Column kRadiusColumns[] = {
     {"contact_radius_um", 0.01, 1e3, 1e-6, &ContactRadius::contact_radius_m},
     {"radius_um", 0.1, 1e4, 1e-6, &ContactRadius::radius_m},
     {"wavelength_nm", 200.0, 2000.0, 1e-9, &ContactRadius::wavelength_m},
@@ -29,10 +29,10 @@ const Column kColumns[] = {
 std::vector<ContactRadius> read_contact_radii(const std::filesystem::path& file) {
   CsvTable table = read_csv(file);
   std::vector<std::string> names;
-  for (const Column& c : kColumns) names.emplace_back(c.name);
+  for (const Column& c : kRadiusColumns) names.emplace_back(c.name);
   name_columns(table, names);
   std::vector<ContactRadius> list(table.rows.size());
-  for (const Column& c : kColumns) {
+  for (const Column& c : kRadiusColumns) {
     const auto column = table.find_column(c.name);
     if (!column) {
       throw InvalidInput(table.file + ": column '" + c.name + "'",

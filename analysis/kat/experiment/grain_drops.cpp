@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const std::vector<std::string> kColumns = {
+const std::vector<std::string> kDropColumns = {
     "impact_velocity_m_s", "before_files",        "after_files",     "pixel_size_um",
     "area_ratio",          "class_width_percent", "contact_time_us", "adhesive_energy_J_m2"};
 constexpr std::size_t kNeeded = 3;
@@ -101,19 +101,19 @@ bool is_grain_drops(const CsvTable& table) {
   return table.find_column("before_files") || table.find_column("after_files");
 }
 
-const std::vector<std::string>& grain_drop_columns() { return kColumns; }
+const std::vector<std::string>& grain_drop_columns() { return kDropColumns; }
 
 std::vector<KatRow> grain_drop_rows(const CsvTable& table, std::vector<std::string>& unknown,
                                     std::vector<std::string>& notes) {
   for (std::size_t i = 0; i < kNeeded; ++i) {
-    if (table.find_column(kColumns[i])) continue;
-    throw InvalidInput(table.file + ": column '" + kColumns[i] + "'",
+    if (table.find_column(kDropColumns[i])) continue;
+    throw InvalidInput(table.file + ": column '" + kDropColumns[i] + "'",
                        fmt::format("columns {}", fmt::join(table.columns, ", ")),
                        "impact_velocity_m_s, before_files and after_files are needed",
                        "add the column");
   }
   for (const std::string& name : table.columns)
-    if (std::find(kColumns.begin(), kColumns.end(), name) == kColumns.end())
+    if (std::find(kDropColumns.begin(), kDropColumns.end(), name) == kDropColumns.end())
       unknown.push_back(name);
   std::vector<KatRow> rows;
   for (const CsvTable::Row& row : table.rows) add_drop(Cells(table, row), rows, notes);

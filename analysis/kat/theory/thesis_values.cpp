@@ -17,7 +17,7 @@ constexpr const char* kGlass =
 constexpr const char* kUpvc =
     "rounding of v and d explains 0.7 % at most: the print's modulus K is 5 % higher, "
     "as it would be with a Poisson's ratio of 0.37 for UPVC where Table 4.1 has 0.3";
-constexpr double kSame = 5e-3;
+constexpr double kPrinted = 5e-3;
 
 }  // namespace
 
@@ -32,7 +32,7 @@ const std::vector<ThesisValue>& thesis_values() {
 
 const ThesisValue* find_thesis_value(const std::string& particle, const std::string& substrate,
                                      double velocity, double diameter) {
-  const auto same = [](double a, double b) { return std::fabs(a / b - 1.0) < kSame; };
+  const auto same = [](double a, double b) { return std::fabs(a / b - 1.0) < kPrinted; };
   for (const ThesisValue& v : thesis_values()) {
     if (v.particle == particle && v.substrate == substrate &&
         same(velocity, v.impact_velocity_m_s) && same(diameter, v.critical_diameter_um)) {

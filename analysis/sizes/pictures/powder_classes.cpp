@@ -8,9 +8,9 @@ namespace powderlink::analysis {
 
 namespace {
 
-/// Sums over the grains below each place.
-struct Sums {
-  explicit Sums(const std::vector<double>& d) : diameters(d), weight{0.0}, first{0.0}, cubes{0.0} {
+/// RunningSums over the grains below each place.
+struct RunningSums {
+  explicit RunningSums(const std::vector<double>& d) : diameters(d), weight{0.0}, first{0.0}, cubes{0.0} {
     for (const double x : d) cubes.push_back(cubes.back() + x * x * x);
     const auto n = static_cast<double>(d.size());
     for (const double x : d) {
@@ -35,7 +35,7 @@ struct Part {
   double gain = -1.0;              // of that; stays below 0 where there is one size
 };
 
-Part part(const Sums& s, std::size_t begin, std::size_t end) {
+Part part(const RunningSums& s, std::size_t begin, std::size_t end) {
   Part p{begin, end};
   const double whole = s.gathered(begin, end);
   for (std::size_t i = begin + 1; i < end; ++i) {
@@ -53,7 +53,7 @@ Part part(const Sums& s, std::size_t begin, std::size_t end) {
 
 std::vector<PowderClass> powder_classes(const SizeDistribution& sample, std::size_t most) {
   const std::vector<double>& d = sample.diameters_um();
-  const Sums sums(d);
+  const RunningSums sums(d);
   std::vector<Part> parts{part(sums, 0, d.size())};
   while (parts.size() < most) {
     const auto next = std::max_element(

@@ -46,6 +46,12 @@ echo '#include "voidFraction.H"' >>physics/contact/law.h
 refused "OpenFOAM's bare name" 'physics/contact/law.h:4: physics/contact -> coupling/foam'
 
 tree
+echo 'never physics: mpi.h' >>scripts/layers.txt
+passes "a tree that does not include what it never may"
+sed -i '2s/.*/#include <mpi.h>/' physics/contact/law.h
+refused "a header that a folder never includes" 'physics/contact/law.h:2: physics never includes it' 'mpi.h'
+
+tree
 mkdir -p analysis/other
 echo '#pragma once' >analysis/other/other.h
 refused "a folder without a row" 'analysis/other/other.h' 'its folder has no row'
