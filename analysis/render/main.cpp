@@ -125,7 +125,7 @@ int run(int argc, char** argv) {
     if (arguments.table_file.empty()) {
       std::cout << text;
     } else {
-      write_file(arguments.table_file, text);
+      powderlink::write_file(arguments.table_file, text);
     }
     return 0;
   }

@@ -21,6 +21,7 @@
 
 namespace {
 
+using namespace powderlink;
 using namespace powderlink::analysis;
 
 struct Outcome {

@@ -86,8 +86,9 @@ ProbeFile read_probes(const fs::path& file) {
     if (row.second.size() != probes.places.size()) {
       // A run that was killed may leave its last line unfinished.
       if (in.peek() == std::ifstream::traits_type::eof()) break;
-      damaged_probes(file, count,
-              fmt::format("{} values for {} probes", row.second.size(), probes.places.size()));
+      damaged_probes(
+          file, count,
+          fmt::format("{} values for {} probes", row.second.size(), probes.places.size()));
     }
     probes.rows.push_back(std::move(row));
   }

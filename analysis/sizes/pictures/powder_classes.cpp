@@ -10,7 +10,8 @@ namespace {
 
 /// RunningSums over the grains below each place.
 struct RunningSums {
-  explicit RunningSums(const std::vector<double>& d) : diameters(d), weight{0.0}, first{0.0}, cubes{0.0} {
+  explicit RunningSums(const std::vector<double>& d)
+      : diameters(d), weight{0.0}, first{0.0}, cubes{0.0} {
     for (const double x : d) cubes.push_back(cubes.back() + x * x * x);
     const auto n = static_cast<double>(d.size());
     for (const double x : d) {
