@@ -81,7 +81,7 @@ KatResults read_kat_results(const std::filesystem::path& file) {
         "reading " + file.string(), error.what(),
         "JSON with critical_diameter_m, impact_velocity_m_s, time_step_s and particles "
         "(each with diameter_m, attached, speed_m_s)",
-        "run the drop test again, in an empty folder");
+        "remove the folder and run again");
   }
   return r;
 }

@@ -2,7 +2,7 @@
 # own_world_test.sh REPOSITORY MPI_COMPILER DEFINING=PROGRAM...: every MPI function with a communicator that
 # the libraries of PROGRAM call is in own_world.def, and DEFINING (the program or a library of it) has it.
 set -euo pipefail
-definitions=$1/coupling/bridge/own_world.def compiler=$2
+definitions=$1/coupling/bridge/transport/own_world.def compiler=$2
 shift 2
 status=0
 failed() { echo "FAILED: $*" >&2; status=1; }
